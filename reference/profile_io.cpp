@@ -46,6 +46,14 @@ Json from_toml_node(const toml::node& node, const std::string& key) {
                         key));
 }
 
+// `byte`: the place of what cannot be read, from 1.
+[[noreturn]] void fail_at(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
+  const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+  fail("", fmt::format("The profile is no JSON: line {}, column {} cannot be read.",
+                       std::ranges::count(before, '\n') + 1, column));
+}
+
 // nlohmann-json keeps the last of two equal keys; a profile that has two is refused.
 Json parse_json_once(std::string_view text) {
   std::vector<std::set<std::string>> open;
@@ -58,7 +66,11 @@ Json parse_json_once(std::string_view text) {
     }
     return true;
   };
-  return Json::parse(text, watch);
+  try {
+    return Json::parse(text, watch);
+  } catch (const Json::parse_error& error) {
+    fail_at(text, error.byte);
+  }
 }
 
 Number number_of(const Json& value, const std::string& key) {
@@ -266,9 +278,6 @@ ProfileResult guarded(Read read, std::string_view unnamed) {
     const auto& at = error.source().begin;
     return ProfileError{"", fmt::format("The profile is no TOML: line {}, column {}: {}.", at.line,
                                         at.column, error.description())};
-  } catch (const Json::parse_error& error) {
-    return ProfileError{
-        "", fmt::format("The profile is no JSON: it cannot be read from byte {} on.", error.byte)};
   } catch (const Json::exception& error) {
     return ProfileError{"", fmt::format("The profile is no JSON: {}.", error.what())};
   }

@@ -179,7 +179,7 @@ void ProgramJudge::settle(Ending ending) {
 
 // R6. Those of earlier blocks must have come as motion must; of its own block no text says
 // whether any do that alarms. A control that checks at load need not pass any.
-std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& ending) {
+std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& ending) const {
   using MFunctions = Ending::MFunctions;
   if (ending.judges == MFunctions::none) return std::nullopt;
   for (const SubjectMFunction& got : m_functions_of_alarm_) {
@@ -188,9 +188,7 @@ std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& endi
         ending.judges == MFunctions::before_alarm
             ? is_of_block && names_m_function(reference_.failed_line(), got.record.m)
             : is_of_block || got.record.block > ending.block;
-    if (!is_free)
-      return m_function_too_many(got.record, got.number,
-                                 step_text(reference_.at(ending.from.step).what));
+    if (!is_free) return m_function_too_many(got.record, got.number, wanted_at(ending.from.step));
   }
   if (ending.at_load) return std::nullopt;
   for (const DueMFunction& due : reference_.waiting(ending.m_functions)) {

@@ -32,12 +32,18 @@ void ProgramJudge::decide_undecided(const exact::Undecided& undecided) {
   decide(undecided_verdict(undecided));
 }
 
+// For people; empty: it is not known.
+std::string ProgramJudge::wanted_at(std::size_t number) const {
+  const ReferenceSteps::Step* const step = reference_.known(number);
+  return step == nullptr ? std::string() : step_text(step->what);
+}
+
 // For people: records without lines keep the step from having one.
-void ProgramJudge::name_line(Verdict& verdict, std::size_t number) {
+void ProgramJudge::name_line(Verdict& verdict, std::size_t number) const {
   if (verdict.block != 0 || decision(verdict.kind) != Decision::no_go || verdict.want.empty())
     return;
-  const ReferenceSteps::Step& step = reference_.at(number);
-  if (step_text(step.what) == verdict.want) verdict.block = step.block;
+  const ReferenceSteps::Step* const step = reference_.known(number);
+  if (step != nullptr && step_text(step->what) == verdict.want) verdict.block = step->block;
 }
 
 void ProgramJudge::decide_departure() {
@@ -87,9 +93,8 @@ void ProgramJudge::decide_too_many(const Record& record) {
   verdict.block = record.block;
   verdict.record = records_ - 1;
   verdict.got = record_text(record);
-  if (!alignment_.hypotheses().empty()) {
-    verdict.want = step_text(reference_.at(alignment_.hypotheses().front().step).what);
-  }
+  const auto& followed = alignment_.hypotheses();
+  if (!followed.empty()) verdict.want = wanted_at(followed.front().step);
   verdict.message = fmt::format(
       "The subject sent {} records: of those that make no progress more than ten times the records "
       "of the reference and 1,000.",

@@ -58,7 +58,8 @@ class ProgramJudge {
   void decide_too_many(const Record& record);
   // No hypothesis is left.
   void decide_departure();
-  void name_line(Verdict& verdict, std::size_t number);
+  std::string wanted_at(std::size_t number) const;
+  void name_line(Verdict& verdict, std::size_t number) const;
   // J-CMP-12: what departs may be out of order, which what follows shows.
   void look_for_order(const Record& record);
 
@@ -95,7 +96,7 @@ class ProgramJudge {
   std::optional<Verdict> alarm_outside(const SubjectAlarm& alarm) const;
   // Whether an open path is looked at where the subject alarms.
   bool is_left_at_alarm(Hypothesis& from);
-  std::optional<Verdict> m_functions_before_alarm(const Ending& ending);
+  std::optional<Verdict> m_functions_before_alarm(const Ending& ending) const;
   std::optional<Verdict> compare_end(const Record& end) const;
   void settle(Ending ending);
 

@@ -74,6 +74,11 @@ const ReferenceSteps::Step& ReferenceSteps::at(std::size_t number) {
   return steps_[number - first_];
 }
 
+const ReferenceSteps::Step* ReferenceSteps::known(std::size_t number) const {
+  const bool is_kept = number >= first_ && number < first_ + steps_.size();
+  return is_kept ? &steps_[number - first_] : nullptr;
+}
+
 const std::shared_ptr<const Curve>& ReferenceSteps::curve_of(const Step& step) const {
   if (!step.curve) step.curve = std::make_shared<Curve>(std::get<Motion>(step.what), terms_);
   return step.curve;

@@ -53,6 +53,8 @@ class ReferenceSteps {
 
   // REQUIRES: no step before this one is the last one, and this one has not been forgotten.
   const Step& at(std::size_t number);
+  // For messages: null where it is forgotten, or nobody has asked for it yet.
+  const Step* known(std::size_t number) const;
   // For a step that is a motion.
   const std::shared_ptr<const Curve>& curve_of(const Step& step) const;
   void forget_before(std::size_t number);
