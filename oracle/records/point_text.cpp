@@ -6,18 +6,17 @@
 namespace gonogo::oracle {
 
 using reference::Number;
-using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::optional<Number> text_at(const Json& list, std::size_t place) {
+std::optional<Number> text_at(const nlohmann::ordered_json& list, std::size_t place) {
   const bool is_there = list.is_array() && place < list.size() && list[place].is_string();
   return is_there ? Number::parse(list[place].get<std::string>()) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Number> number_of(const Json& json) {
+std::optional<Number> number_of(const nlohmann::ordered_json& json) {
   if (json.is_string()) return Number::parse(json.get<std::string>());
   if (!json.is_object()) return std::nullopt;
   if (const auto root = json.find("root"); root != json.end()) {
@@ -26,14 +25,14 @@ std::optional<Number> number_of(const Json& json) {
     const auto c = text_at(*root, 2);
     return a && b && c && c->sign() >= 0 ? std::optional(Number::root(*a, *b, *c)) : std::nullopt;
   }
-  const Json bounds = json.value("enclosure", Json::array());
+  const nlohmann::ordered_json bounds = json.value("enclosure", nlohmann::ordered_json::array());
   const auto low = text_at(bounds, 0);
   const auto high = text_at(bounds, 1);
   return low && high && *low <= *high ? std::optional(Number::between(*low, *high)) : std::nullopt;
 }
 
 std::string point_for_people(const std::string& point) {
-  const Json axes = Json::parse(point, nullptr, false);
+  const nlohmann::ordered_json axes = nlohmann::ordered_json::parse(point, nullptr, false);
   if (!axes.is_object()) return point;
   std::string text;
   bool says_more = false;
