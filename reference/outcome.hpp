@@ -4,6 +4,9 @@
 // ends.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,10 +22,12 @@ enum class AlarmClass : std::uint8_t {
 #define GONOGO_ALARM(name, text, sentence) name,
 #include "reference/alarm_classes.def"
 };
-inline constexpr std::size_t kAlarmClasses = 0
-#define GONOGO_ALARM(name, text, sentence) +1
+inline constexpr std::size_t kAlarmClasses =
+    std::initializer_list<AlarmClass>{
+#define GONOGO_ALARM(name, text, sentence) AlarmClass::name,
 #include "reference/alarm_classes.def"
-    ;
+    }
+        .size();
 std::string_view name(AlarmClass alarm);
 std::optional<AlarmClass> alarm_class(std::string_view text);
 

@@ -57,6 +57,7 @@ class Calculator {
  private:
   bool apply(const grammar::Block& block, const grammar::Term& term);
   bool apply_one(const grammar::Term& term);
+  bool take_root(const grammar::Term& term);
   bool apply_two(const grammar::Term& term);
   bool holds(grammar::TermKind kind, const Number& left, const Number& right) const;
   bool is_doubtful(grammar::TermKind kind, const Value& left, const Value& right) const;

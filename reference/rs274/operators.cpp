@@ -242,6 +242,19 @@ bool Calculator::holds(TermKind kind, const Number& left, const Number& right) c
   }
 }
 
+bool Calculator::take_root(const grammar::Term& term) {
+  Value& value = stack_.back();
+  if (value.number.sign() < 0) {
+    fail(AlarmClass::value_out_of_range, "NGC-EXP-06"_clause, term.where,
+         with_values("SQRT of {}, which is below zero.", {value.number}));
+    alarm->also.add(AlarmClass::value_sign);
+    return false;
+  }
+  value.number = exact::sqrt(value.number);
+  value.is_rounded = value.is_rounded || !is_double(value.number);
+  return true;
+}
+
 // NGC-EXP-03: functions and signs.
 bool Calculator::apply_one(const grammar::Term& term) {
   Value& value = stack_.back();
@@ -269,15 +282,7 @@ bool Calculator::apply_one(const grammar::Term& term) {
       value = {rounded(top)};
       return true;
     case TermKind::sqrt:
-      if (top.sign() < 0) {
-        fail(AlarmClass::value_out_of_range, "NGC-EXP-06"_clause, term.where,
-             with_values("SQRT of {}, which is below zero.", {top}));
-        alarm->also.add(AlarmClass::value_sign);
-        return false;
-      }
-      top = exact::sqrt(top);
-      value.is_rounded = value.is_rounded || !is_double(top);
-      return true;
+      return take_root(term);
     case TermKind::sin:
     case TermKind::cos:
       value = {term.kind == TermKind::sin ? exact::sin_degrees(top) : exact::cos_degrees(top),
