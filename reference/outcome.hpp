@@ -35,7 +35,6 @@ class AlarmClasses {
  public:
   void add(AlarmClass alarm) { bits_ |= bit(alarm); }
   bool has(AlarmClass alarm) const { return (bits_ & bit(alarm)) != 0; }
-  bool empty() const { return bits_ == 0; }
 
  private:
   static std::uint64_t bit(AlarmClass alarm) {
