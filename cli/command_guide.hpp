@@ -9,6 +9,6 @@
 
 namespace gonogo::cli {
 
-const std::vector<CommandGuide>& command_guides();
+std::vector<CommandGroup> command_groups();
 
 }  // namespace gonogo::cli

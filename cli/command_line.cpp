@@ -34,10 +34,10 @@ Command Command::add_hidden_command(const std::string& name, const std::string& 
   return {*command, *exit_code_};
 }
 
-Command& Command::guide(const std::vector<CommandGuide>& guides) {
-  for (const auto& [name, group, examples] : guides) {
+Command& Command::group(const CommandGroup& group) {
+  for (const auto& [name, examples] : group.commands) {
     CLI::App* command = app_->get_subcommand(name);
-    command->group(group);
+    command->group(group.name);
     std::string text = "Examples:";
     for (const std::string& example : examples) text += "\n  gonogo " + example;
     command->footer(text);

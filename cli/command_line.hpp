@@ -34,11 +34,15 @@ struct CommandText {
   std::vector<CommandText> commands;  // without hidden ones
 };
 
-// Where the help of the program lists a command, and what its own help shows of it.
+// What the help of a command shows beside its words.
 struct CommandGuide {
   std::string name;
-  std::string group;
   std::vector<std::string> examples;  // without the name of the program
+};
+// Commands that the help of the program lists together.
+struct CommandGroup {
+  std::string name;
+  std::vector<CommandGuide> commands;
 };
 
 // A command and its words. The variables given must outlive the parse; a command keeps them in what
@@ -50,8 +54,8 @@ class Command {
   Command add_command(const std::string& name, const std::string& text);
   // One that the help does not name.
   Command add_hidden_command(const std::string& name, const std::string& text);
-  // Of commands that are there.
-  Command& guide(const std::vector<CommandGuide>& guides);
+  // All commands have to be there.
+  Command& group(const CommandGroup& group);
   // One of its own commands has to be given.
   Command& require_command();
 

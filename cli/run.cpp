@@ -56,7 +56,7 @@ int run_command(int argc, char** argv) {
   add_signs(program);
   add_completion(line);
   add_man(line);
-  program.guide(command_guides());
+  for (const CommandGroup& group : command_groups()) program.group(group);
   return line.parse(argc, argv);
 }
 
