@@ -135,7 +135,13 @@ OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
                  missing ? "A pass of the thread is missing."
                          : "The tool leaves the R plane before the helix of its pass.");
   }
-  if (is_named()) return open_->empty() ? no_helix(motion, result) : OpenStepAnswer{};
+  if (is_named()) {
+    if (!open_->empty()) return {};
+    // The last piece of an infeed that came within the tolerance of its end before.
+    const bool nothing =
+        agree(motion.from, motion.to(), terms_.tolerance) && !nearly_full_turn(motion);
+    return nothing ? wait() : no_helix(motion, result);
+  }
   switch (entry_.add(motion)) {
     case ThreadEntry::Taken::progress:
       return {};

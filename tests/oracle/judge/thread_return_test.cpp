@@ -46,6 +46,26 @@ TEST(ThreadReturn, TheTraverseAlongTheDepthAxisIsGo) {
       Decision::go);
 }
 
+// gsk.thread.path = arc: with a lead of 8, two and a half turns lead to the far side, and the path
+// that is shown goes back to +p from there. Half of the infeed, one tolerance, is within the
+// tolerance of its end.
+TEST(ThreadReturn, AnInfeedOfTwoTolerancesMayComeInPieces) {
+  for (const bool in_pieces : {false, true}) {
+    TraceText trace(1, 900);
+    trace.rapid({{'x', 35}, {'y', 20}, {'z', 70}}).block(3, 900);
+    trace.rapid({{'x', 0}, {'z', 0}}).rapid({{'y', 15}});
+    trace.arc("G18", {{'x', 0}, {'z', 9}}, -1, {{'x', 0}, {'z', 18}});
+    if (in_pieces) trace.feed({{'z', 17.999}});
+    trace.feed({{'z', 17.998}});
+    trace.arc("G18", {{'x', 0}, {'z', 0}}, -3, {{'x', 0}, {'z', -17.998}, {'y', -5}});
+    trace.rapid({{'y', 15}}).rapid({{'z', 18}}).rapid({{'y', 20}}).block(4, 900).rapid({{'x', 35}});
+    const Verdict verdict =
+        judge_trace("G0 X70 Z70 Y20\nG18\nG114 X0 Z0 V-20 R-5 I8 J0 E30 P0.002 D3 F900\nG0 X70\n",
+                    trace.text());
+    EXPECT_EQ(decision(verdict.kind), Decision::go) << in_pieces << verdict.message;
+  }
+}
+
 // A quarter of a turn goes down by 1.25; the ring there would cut a groove.
 TEST(ThreadReturn, ARingWithinTheHelixIsNoGo) {
   for (const bool ring : {false, true}) {
