@@ -33,6 +33,10 @@ Verdict undecided_verdict(const exact::Undecided& undecided) {
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
                                             const Motion& want, const JudgeTerms& terms) {
   if (want.record.centre_clause == reference::kNoClause || !answer.centre) return std::nullopt;
+  // R7: the silence is about the centre, and excuses no feed and no turn.
+  if (motion.record.rot != want.record.rot || !feeds_agree(want.record, motion.record, terms)) {
+    return std::nullopt;
+  }
   if (!agree(answer.centre->distance, 0, terms.tolerance * 2) ||
       !same_place(motion.to(), want.to(), terms)) {
     return std::nullopt;

@@ -272,5 +272,17 @@ TEST(Advice, OfACorrectedCentreDoesNotEndTheJudgement) {
   EXPECT_EQ(judge_seed_arc(seed_arc("90.000558560", "0")).kind, VerdictKind::fail_geometry);
 }
 
+// R7: the silence is about the centre alone.
+TEST(Advice, OfACorrectedCentreExcusesNoFeedAndNoTurn) {
+  const auto changed = [](std::string_view from, std::string_view to) {
+    std::string trace = seed_arc("89.999558560", "0");
+    trace.replace(trace.find(from), from.size(), to);
+    return decision(judge_seed_arc(trace).kind);
+  };
+  EXPECT_EQ(changed(R"("f":"100")", R"("f":"101")"), Decision::no_go);
+  EXPECT_EQ(changed(R"("rot":-1)", R"("rot":-2)"), Decision::no_go);
+  EXPECT_EQ(changed(R"("rot":-1)", R"("rot":1)"), Decision::no_go);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle
