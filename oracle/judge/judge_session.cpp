@@ -17,11 +17,11 @@ using reference::ReadingKey;
 
 namespace {
 
-// How far the subject's record ends from the first records of its block that carry the reading's
-// clause, along their axis. `block` 0: not known.
+// How far the subject stands from the ends of the first traverses of its block that carry the
+// reading's clause, along their axis. `block` 0: not known.
 std::vector<Number> lengths_between(const Profile& profile, const ProgramText& program,
                                     reference::ClauseId clause, std::uint64_t block,
-                                    const Record& subject) {
+                                    const Position& subject) {
   std::vector<Number> lengths;
   ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
@@ -34,8 +34,8 @@ std::vector<Number> lengths_between(const Profile& profile, const ProgramText& p
       if (block != 0 && record->block > block) break;
       if (record->clause != clause || record->kind != reference::RecordKind::rapid) continue;
       for (const reference::Axis axis : reference::kLinearAxes) {
-        if (!record->axes.has(axis) || !subject.axes.has(axis)) continue;
-        const Number length = exact::abs(subject.to[axis] - record->to[axis]);
+        if (!record->axes.has(axis)) continue;
+        const Number length = exact::abs(subject[axis] - record->to[axis]);
         if (length.is_rational()) lengths.push_back(length);
       }
     }
@@ -60,7 +60,11 @@ struct JudgeSession::Fork {
 
 JudgeSession::JudgeSession(const Profile& profile, const ProgramText& program,
                            const JudgeTerms& terms, Forking forking)
-    : profile_(profile), program_(program), terms_(terms), forking_(forking) {
+    : profile_(profile),
+      program_(program),
+      terms_(terms),
+      forking_(forking),
+      stands_(profile.initial.at) {
   AssignmentSet all(profile);
   if (all.leaves_open()) taken_.emplace();
   Fork& first = add_fork(std::move(all));
@@ -117,9 +121,9 @@ void JudgeSession::bury(Fork& fork) {
 void JudgeSession::try_lengths(const Fork& fork) {
   for (const ReadingKey key : open_lengths(fork.set, fork.judge.readings())) {
     const reference::ClauseId clause = reference::reading(key).clause;
-    for (const Record* shown : {&before_, &last_}) {
+    for (const Position& shown : {stood_, stands_}) {
       for (const Number& length :
-           lengths_between(*fork.profile, program_, clause, last_.block, *shown)) {
+           lengths_between(*fork.profile, program_, clause, last_block_, shown)) {
         if (lengths_.size() == kMostLengths || length.sign() == 0) continue;
         const auto [text, is_new] = lengths_.insert(length.text());
         if (!is_new) continue;
@@ -175,7 +179,13 @@ void JudgeSession::stop_forking() {
 bool JudgeSession::record(const Record& record) {
   if (alive_.empty()) return false;
   ++records_;
-  before_ = std::exchange(last_, record);
+  last_block_ = record.block;
+  stood_ = stands_;
+  if (is_motion(record.kind)) {
+    for (const reference::Axis axis : reference::kLinearAxes) {
+      if (record.axes.has(axis)) stands_[axis] = record.to[axis];
+    }
+  }
   bool settled = true;
   for (std::size_t i = 0; i < alive_.size(); ++i) {
     ProgramJudge& judge = alive_[i]->judge;

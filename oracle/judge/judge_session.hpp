@@ -92,8 +92,9 @@ class JudgeSession {
   std::set<reference::ReadingKey> open_;              // that made a difference
   std::size_t most_others_ = 0;                       // that one fork looked at to the last
   std::set<std::string, std::less<>> lengths_;  // that were tried of readings that are lengths
-  Record last_;                                 // the subject's last record, and the one before
-  Record before_;
+  std::uint64_t last_block_ = 0;                // of the subject's last record
+  Position stood_;                              // before it, but for renamings
+  Position stands_;                             // behind it
   bool too_many_ = false;
 };
 

@@ -144,6 +144,44 @@ TEST(LazyForks, AnOpenLengthIsWhatTheSubjectShows) {
       Decision::no_go);
 }
 
+// J-READ-02: layers at 7, 5 and 3 below the R plane at 9. What feeds down all the way has a
+// clearance of 4 or more, in pieces too; what does so to the second layer alone has one of 2, and
+// comes down to 7 before the third.
+TEST(LazyForks, AnOpenLengthMayLeaveNoTraverse) {
+  const std::string_view program =
+      "G17 G00 X40 Y30 Z10\nG110 X20 Y10 W-6 R-1 I10 L3 Q2 D2 F200\nG00 X0\n";
+  const reference::Profile open = all_open("gsk988ta");
+  const OwnOutcome own = own_outcome(program, profile_of("gsk988ta", {}));
+  const auto judged = [&](std::span<const std::optional<int>> traverses, bool in_pieces) {
+    std::vector<Record> records;
+    std::size_t layer = 0;
+    for (const Record& record : own.records) {
+      const bool is_infeed = reference::clause_name(record.clause) == "GSK-G110-11";
+      if (is_infeed && record.kind == reference::RecordKind::rapid) {
+        records.push_back(record);
+        if (const auto height = traverses[layer++]) {
+          records.back().to[reference::Axis::z] = *height;
+        } else {
+          records.pop_back();
+        }
+        continue;
+      }
+      if (is_infeed && in_pieces) {
+        records.push_back(record);
+        records.back().to[reference::Axis::z] += exact::Number(1) / exact::Number(2);
+      }
+      records.push_back(record);
+    }
+    return decision(judge_outcome(open, program, exact_terms(open), records, own.end).verdict.kind);
+  };
+  for (const bool in_pieces : {false, true}) {
+    const std::optional<int> none;
+    EXPECT_EQ(judged(std::array{none, none}, in_pieces), Decision::go) << in_pieces;
+    EXPECT_EQ(judged(std::array{none, std::optional(7)}, in_pieces), Decision::go) << in_pieces;
+    EXPECT_EQ(judged(std::array{none, std::optional(5)}, in_pieces), Decision::no_go) << in_pieces;
+  }
+}
+
 TEST(ShownReadings, PreferTheAlternativeWithoutAnAlarm) {
   const auto ends_well = [](std::string_view dialect, std::string_view program) {
     const reference::Profile shown = profile_to_show(all_open(dialect), program);
