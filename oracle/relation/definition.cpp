@@ -2,6 +2,7 @@
 #include "oracle/relation/definition.hpp"
 
 #include <array>
+#include <set>
 
 #include "oracle/relation/correspondence.hpp"
 
@@ -105,6 +106,34 @@ const reference::Reading* open_reading(const reference::ReadingChoice& choice,
   return nullptr;
 }
 
+// What an open length may be: how far the subject stands, before and behind its record, from the
+// lowest and the highest place that it has been at, along an axis of the record.
+std::set<std::string> lengths_shown(const reference::Profile& profile, const Outcome& outcome,
+                                    std::size_t number) {
+  std::set<std::string> lengths;
+  reference::Position here = profile.initial.at;
+  reference::Position low = here;
+  reference::Position high = here;
+  for (std::size_t i = 0; i <= number && i < outcome.records.size(); ++i) {
+    const reference::Record& record = outcome.records[i];
+    if (!is_motion(record.kind)) continue;
+    const reference::Position to = end_of(record, here);
+    for (const reference::Axis axis : reference::kLinearAxes) {
+      for (const Number& at : {here[axis], to[axis]}) {
+        if (i != number || !record.axes.has(axis)) continue;
+        for (const Number& extreme : {low[axis], high[axis]}) {
+          const Number length = abs(at - extreme);
+          if (length.is_rational() && length.sign() != 0) lengths.insert(length.text());
+        }
+      }
+      low[axis] = min(low[axis], to[axis]);
+      high[axis] = max(high[axis], to[axis]);
+    }
+    here = to;
+  }
+  return lengths;
+}
+
 }  // namespace
 
 std::string_view name(Rule rule) {
@@ -125,6 +154,7 @@ Answer decide(const reference::Profile& profile, std::string_view program, const
   constexpr std::size_t kMostAssignments = 64;
   std::vector<reference::ReadingChoice> choices = {profile.readings};
   std::optional<Answer> best;
+  std::set<std::string> lengths;  // that have been tried
   std::size_t assignments = 0;
   while (!choices.empty()) {
     reference::Profile assigned = profile;
@@ -146,6 +176,15 @@ Answer decide(const reference::Profile& profile, std::string_view program, const
     }
     if (++assignments > kMostAssignments) {
       return undecided(GapReason::many_assignments, "More than 64 assignments of open readings.");
+    }
+    for (const ReadingKey key : judgement.touched) {
+      if (!reference::reading(key).is_length || !profile.readings.is(key, "any")) continue;
+      if (!is_departure(judgement.answer) || !judgement.answer.record) continue;
+      for (const std::string& length : lengths_shown(profile, outcome, *judgement.answer.record)) {
+        if (!lengths.insert(length).second) continue;
+        choices.push_back(assigned.readings);
+        choices.back().set(key, length);
+      }
     }
     const bool is_better =
         !best || rank(judgement.answer) < rank(*best) ||

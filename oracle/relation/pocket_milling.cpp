@@ -202,6 +202,11 @@ class MillingConditions {
       levels_.back().cuts.push_back(stroke_of(piece));
       return {};
     }
+    // The last piece of an infeed, too small to lead below its level.
+    if (is_at_level && is_at_middle(piece.from, piece.width) &&
+        is_at_middle(piece.to, piece.width) && has_feed(piece, pocket_.depth_feed)) {
+      return {};
+    }
     if (is_early(piece)) return kEarly;
     if (!levels_.empty()) levels_.back().is_over = true;
     return is_free(piece, off) || is_in_cleared(piece, off)
@@ -252,6 +257,8 @@ class MillingConditions {
     // Where the tool's centre has nowhere to go, nothing shows where a level is.
     const bool is_point = max(half_length_, half_width_) - tool_ <= terms_.tolerance;
     if (is_point) return true;
+    // SIE-LC75-10: nor where roughing left no strip, which each level but the last would clear.
+    if (pocket_.finishing && allowance_.sign() == 0) return true;
     if (pocket_.finishing && pocket_.one_level && levels_.size() == 1) return true;
     if (pocket_.levels == Levels::open || pocket_.finishing) {
       Number above = rational_near(pocket_.reference_plane);

@@ -37,7 +37,8 @@ bool is_at_limit(const Task& task, const Trace& trace, const Answer& answer,
   const bool passes = decision(answer.kind) == oracle::Decision::go;
   terms.tolerance = passes ? terms.tolerance * 8 / 17 : terms.tolerance * 2;
   const Answer other = decide(task.profile, task.program, terms, trace.outcome());
-  return decision(other.kind) == decision(verdict.kind);
+  return passes ? decision(other.kind) != oracle::Decision::go
+                : decision(other.kind) == decision(verdict.kind);
 }
 
 // The definition: a shift along the path is none, a centre is where the points of its arc are, and
