@@ -177,25 +177,27 @@ void ProgramJudge::settle(Ending ending) {
   decide(std::move(ending.verdict));
 }
 
-// R6. Those of earlier blocks must have come as motion must; of its own block no text says
-// whether any do that alarms. A control that checks at load need not pass any.
+// R6. Those of earlier blocks, and those of a cycle, must have come as motion must; of those that
+// the block that alarms names no text says whether they do. A control that checks at load need not
+// pass any.
 std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& ending) const {
   using MFunctions = Ending::MFunctions;
   if (ending.judges == MFunctions::none) return std::nullopt;
+  const bool before_alarm = ending.judges == MFunctions::before_alarm;
+  const auto is_named = [&](const Record& record) {
+    return names_m_function(reference_.failed_line(), record.m);
+  };
   for (const SubjectMFunction& got : m_functions_of_alarm_) {
     const bool is_of_block = !terms_.compare_blocks || got.record.block == ending.block;
-    const bool is_free =
-        ending.judges == MFunctions::before_alarm
-            ? is_of_block && names_m_function(reference_.failed_line(), got.record.m)
-            : is_of_block || got.record.block > ending.block;
+    const bool is_free = before_alarm ? is_of_block && is_named(got.record)
+                                      : is_of_block || got.record.block > ending.block;
     if (!is_free) return m_function_too_many(got.record, got.number, wanted_at(ending.from.step));
   }
   if (ending.at_load) return std::nullopt;
   for (const DueMFunction& due : reference_.waiting(ending.m_functions)) {
-    const bool is_earlier = ending.judges == MFunctions::before_alarm
-                                ? due.record.block != ending.block
-                                : due.record.block < ending.block;
-    if (is_earlier) return m_function_missing(due.record, {}, records_);
+    const bool is_due = before_alarm ? due.record.block != ending.block || !is_named(due.record)
+                                     : due.record.block < ending.block;
+    if (is_due) return m_function_missing(due.record, {}, records_);
   }
   return std::nullopt;
 }

@@ -195,16 +195,15 @@ class MillingConditions {
     const Number& lowest = levels_.empty() ? above_ : levels_.back().depth;
     const bool is_new = piece.to[axes_.d] < lowest - off;
     if (is_new && !is_level) return take_infeed(piece);
+    // An infeed, or the last piece of one, that leads no farther than the limit.
+    if (is_level && piece.to[axes_.d] <= lowest && is_infeed(piece)) {
+      return piece.to[axes_.d] < piece.from[axes_.d] ? take_infeed(piece) : std::string_view();
+    }
     if (is_new && pocket_.finishing) levels_.push_back({piece.to[axes_.d], {}});
     const bool is_at_level =
         !levels_.empty() && is_level && abs(piece.to[axes_.d] - levels_.back().depth) <= off;
     if (is_at_level && !levels_.back().is_over && has_feed(piece, pocket_.plane_feed)) {
       levels_.back().cuts.push_back(stroke_of(piece));
-      return {};
-    }
-    // The last piece of an infeed, too small to lead below its level.
-    if (is_at_level && is_at_middle(piece.from, piece.width) &&
-        is_at_middle(piece.to, piece.width) && has_feed(piece, pocket_.depth_feed)) {
       return {};
     }
     if (is_early(piece)) return kEarly;
@@ -228,13 +227,15 @@ class MillingConditions {
     return back_ > min(tool_, half) / 4;
   }
 
+  bool is_infeed(const Event& piece) const {
+    return is_at_middle(piece.from, piece.width) && is_at_middle(piece.to, piece.width) &&
+           has_feed(piece, pocket_.depth_feed);
+  }
+
   // SIE-LC75-04, SIE-LC75-11: at the centre with R122; in finishing the last alone.
   std::string_view take_infeed(const Event& piece) {
     const Number height = piece.to[axes_.d];
-    const bool is_its_own = is_at_middle(piece.from, piece.width) &&
-                            is_at_middle(piece.to, piece.width) &&
-                            has_feed(piece, pocket_.depth_feed);
-    if (!is_its_own) {
+    if (!is_infeed(piece)) {
       const bool is_early = pocket_.finishing && is_free(piece, slack_.axis(piece.width));
       return is_early ? std::string_view()
                       : "The infeed is beside the centre, or has another feed.";

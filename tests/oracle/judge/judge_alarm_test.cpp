@@ -129,6 +129,24 @@ TEST(AlarmJudge, MFunctionsOfTheBlockThatAlarmsMayComeOrNot) {
 }
 
 // The first departure decides.
+// NGC-G86-02: each of the two holes, which drill nothing, stops the spindle and turns it on again.
+// The block names M3, and no M5 (R6).
+TEST(AlarmJudge, MFunctionsOfACycleMustHaveComeBeforeAnAlarmOfItsBlock) {
+  const std::string program = "M3 S500\nG91 G99 G86 R0 Z0 Y0 L2 P3 M3 F100\n";
+  const std::string dwell = R"({"k":"dwell","b":2,"s":"3"})"
+                            "\n";
+  const Judging judging = {.reading = "ngc.program-end=needed", .m = true, .dialect = "rs274"};
+  const std::string first =
+      m_function(1, 3) + m_function(2, 3) + dwell + m_function(2, 5) + m_function(2, 3) + dwell;
+  const std::string end = alarm(2, "program-end");
+  const auto kind = [&](const std::string& rest) {
+    return judge_trace(program, first + rest + end, judging).kind;
+  };
+  EXPECT_EQ(kind(m_function(2, 5) + m_function(2, 3)), VerdictKind::pass_exact);
+  EXPECT_EQ(kind(m_function(2, 3)), VerdictKind::fail_geometry);
+  EXPECT_EQ(kind(""), VerdictKind::fail_geometry);
+}
+
 TEST(AlarmJudge, MissingMotionComesBeforeAnMFunctionBehindIt) {
   EXPECT_EQ(kind_with_m(m_function(1, 3)), VerdictKind::fail_geometry);
 }
