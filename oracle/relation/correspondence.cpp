@@ -82,7 +82,9 @@ Number Correspondence::tolerance(const Number& tau, const Number& width) {
 
 // R2: of two arcs 17/8 tau, which is what rounding centre, start and end makes of the points
 // between; of a granted chord what is granted.
-Number Correspondence::cell_tolerance(const Event& want, const Event& got) {
+Number Correspondence::cell_tolerance(const Place& place) {
+  const Event& want = reference(place).at(place.i);
+  const Event& got = subject(place).at(place.j);
   const Number width = want.width + got.width;
   const Label& arc = *want.label;
   if (is_granted_chord(arc, *got.label, terms_) && !arc.is_flat) {
@@ -93,7 +95,11 @@ Number Correspondence::cell_tolerance(const Event& want, const Event& got) {
   }
   if (arc.finds_centre) finds_centres_ = true;
   const Number rounded = terms_.tolerance * 17 / 8;
-  return tolerance(arc.finds_centre && manner_.excuses_centres ? rounded * 2 : rounded, width);
+  if (!arc.finds_centre || !manner_.excuses_centres) return tolerance(rounded, width);
+  // R7: a centre of the control's own excuses no other end.
+  const bool ends =
+      reference(place).at(place.i + 1).begins || subject(place).at(place.j + 1).begins;
+  return tolerance(ends ? rounded : rounded * 2, width);
 }
 
 void Correspondence::reach(const Place& place, bool of_subject, Interval part) {
@@ -163,7 +169,7 @@ void Correspondence::match_cuts(const Place& place, const Reached& reached) {
   const Event& want = reference(place).at(place.i);
   const Event& got = subject(place).at(place.j);
   if (compare(*want.label, *got.label, terms_) != Likeness::same) return;
-  const Number tau = cell_tolerance(want, got);
+  const Number tau = cell_tolerance(place);
   const auto left = lowest(reached.at_start_of_want, near_part(got, want.from, tau));
   auto below = lowest(reached.at_start_of_got, near_part(want, got.from, tau));
   if (begins(reached.at_start_of_want) && left && left->sign() == 0) below = Number(0);

@@ -86,7 +86,7 @@ class Correspondence {
   std::optional<std::size_t> end_of_small_run(SubjectSide& side, std::size_t begin,
                                               const Position& place, const Number& width);
   Number tolerance(const Number& tau, const Number& width);
-  Number cell_tolerance(const Event& want, const Event& got);
+  Number cell_tolerance(const Place& place);
   void reach(const Place& place, bool of_subject, Interval part);
   void reach_corner(const Place& place) { reach(place, true, {0, 0}); }
   void offer(Answer answer);

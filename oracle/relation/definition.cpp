@@ -134,6 +134,21 @@ std::set<std::string> lengths_shown(const reference::Profile& profile, const Out
   return lengths;
 }
 
+// R5: nothing follows the end.
+std::optional<Answer> overrun(const Outcome& outcome) {
+  for (std::size_t i = 0; i < outcome.records.size(); ++i) {
+    if (outcome.records[i].kind != reference::RecordKind::end) continue;
+    if (i + 1 == outcome.records.size() && outcome.alarm == nullptr) break;
+    Answer answer;
+    answer.kind = VerdictKind::fail_overrun;
+    answer.rule = Rule::event;
+    answer.record = i + 1;
+    answer.message = "Something follows the end of the trace.";
+    return answer;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view name(Rule rule) {
@@ -151,6 +166,7 @@ std::string_view name(GapReason reason) {
 // that comes last.
 Answer decide(const reference::Profile& profile, std::string_view program, const Terms& terms,
               const Outcome& outcome) {
+  if (std::optional<Answer> answer = overrun(outcome)) return *std::move(answer);
   constexpr std::size_t kMostAssignments = 64;
   std::vector<reference::ReadingChoice> choices = {profile.readings};
   std::optional<Answer> best;
