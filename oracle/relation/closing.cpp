@@ -113,6 +113,8 @@ void Correspondence::close(const Place& place) {
   const Event& want = reference(place).at(place.i);
   const Event& got = subject(place).at(place.j);
   if (want.part == Part::close) {
+    const bool is_over = got.part == Part::close && (got.item != nullptr || !outcome_.alarm);
+    is_beyond_end_ = is_beyond_end_ || (is_silent_end(*want.item) && !is_over);
     if (const auto* outside = std::get_if<NotCovered>(&*want.item)) {
       Answer gap = at_place(place, VerdictKind::oracle_gap, Rule::none, outside->message);
       gap.gap = outside->code == reference::kLackingProfile ? GapReason::profile_lacks
@@ -135,15 +137,7 @@ void Correspondence::close(const Place& place) {
 
 void Correspondence::close_at_end(const Place& place, const Record& end) {
   const Event& got = subject(place).at(place.j);
-  if (got.part != Part::close) {
-    // R7: behind an end that no text states, what stands behind it.
-    const bool is_behind = !terms_.compare_blocks || got.block > end.block;
-    if (is_behind && is_silent(end.clause) && !terms_.strict) {
-      offer(
-          at_place(place, VerdictKind::advice, Rule::event, "No text says that the program ends."));
-    }
-    return;
-  }
+  if (got.part != Part::close) return;
   if (got.item != nullptr) {
     const Record& closed = got.source();
     // Nothing comes behind the end, and it names places that agree.

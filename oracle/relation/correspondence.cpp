@@ -56,7 +56,7 @@ Correspondence::Correspondence(const reference::Profile& profile, std::string_vi
                                const Terms& terms, const Outcome& outcome, const Manner& manner)
     : profile_(profile), program_(program), terms_(terms), outcome_(outcome), manner_(manner) {
   pairs_.push_back(
-      {std::make_shared<ReferenceSide>(profile, program, terms, Settled()),
+      {std::make_shared<ReferenceSide>(profile, program, terms, Settled(), manner.passes_end),
        std::make_shared<SubjectSide>(outcome.records, 0, profile.initial.at, terms, manner.turn), 0,
        profile.initial.at});
 }

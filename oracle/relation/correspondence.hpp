@@ -23,6 +23,7 @@ struct Manner {
   Bias bias = Bias::outer;
   Turn turn = Turn::as_written;
   bool excuses_centres = false;  // R7: of arcs whose centre no text says how finely to compute
+  bool passes_end = false;       // R7: over an end that no text states
 };
 
 class Correspondence {
@@ -37,6 +38,8 @@ class Correspondence {
   // After that: whether a width was added or taken off, and the readings that were asked for.
   bool has_width() const { return has_width_; }
   bool finds_centres() const { return finds_centres_; }
+  // Whether the subject went on behind an end that no text states.
+  bool is_beyond_end() const { return is_beyond_end_; }
   std::vector<reference::ReadingKey> touched() const;
 
  private:
@@ -113,6 +116,7 @@ class Correspondence {
   Place broken_at_;
   bool has_width_ = false;
   bool finds_centres_ = false;
+  bool is_beyond_end_ = false;
 };
 
 }  // namespace gonogo::relation

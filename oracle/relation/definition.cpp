@@ -28,6 +28,7 @@ int rank(const Answer& answer) {
 struct Judgement {
   Answer answer;
   bool finds_centres = false;
+  bool is_beyond_end = false;
   std::vector<ReadingKey> touched;
 };
 
@@ -44,12 +45,13 @@ Judgement judge(const reference::Profile& profile, std::string_view program, con
                 const Outcome& outcome, Manner manner) {
   manner.bias = Bias::inner;
   Correspondence inner(profile, program, terms, outcome, manner);
-  Judgement judgement{inner.best(), inner.finds_centres(), inner.touched()};
+  Judgement judgement{inner.best(), inner.finds_centres(), inner.is_beyond_end(), inner.touched()};
   if (is_go(judgement.answer) || !inner.has_width()) return judgement;
   manner.bias = Bias::outer;
   Correspondence outer(profile, program, terms, outcome, manner);
   const Answer answer = outer.best();
   judgement.finds_centres = outer.finds_centres();
+  judgement.is_beyond_end = outer.is_beyond_end();
   judgement.touched = outer.touched();
   if (rank(answer) == rank(judgement.answer)) {
     judgement.answer = answer;
@@ -67,16 +69,22 @@ bool is_departure(const Answer& answer) {
   return decision(answer.kind) == Decision::no_go;
 }
 
-// Under one assignment: R7 of centres, and R9 of arcs whose ends agree.
+// Under one assignment: R7 of centres and of ends, and R9 of arcs whose ends agree.
 Judgement judge_readings_of_trace(const reference::Profile& profile, std::string_view program,
                                   const Terms& terms, const Outcome& outcome) {
   Judgement judgement = judge(profile, program, terms, outcome, {});
   if (is_departure(judgement.answer) && judgement.finds_centres && !terms.strict) {
-    const Judgement excused =
-        judge(profile, program, terms, outcome, {Bias::outer, Turn::as_written, true});
+    const Judgement excused = judge(profile, program, terms, outcome, {.excuses_centres = true});
     if (is_go(excused.answer)) {
       judgement.answer.kind = VerdictKind::advice;
       judgement.answer.message = "No text says how finely the centre is computed.";
+    }
+  }
+  if (is_departure(judgement.answer) && judgement.is_beyond_end && !terms.strict) {
+    const Judgement excused = judge(profile, program, terms, outcome, {.passes_end = true});
+    if (!is_departure(excused.answer)) {
+      judgement.answer.kind = VerdictKind::advice;
+      judgement.answer.message = "No text says that the program ends.";
     }
   }
   if (!is_departure(judgement.answer) || terms.exact) return judgement;
@@ -87,8 +95,7 @@ Judgement judge_readings_of_trace(const reference::Profile& profile, std::string
     if (is_motion(record.kind)) here = end_of(record, here);
   }
   if (!has_two) return judgement;
-  const Judgement other =
-      judge(profile, program, terms, outcome, {Bias::outer, Turn::the_other, false});
+  const Judgement other = judge(profile, program, terms, outcome, {.turn = Turn::the_other});
   if (is_go(other.answer)) {
     judgement.answer =
         undecided(GapReason::two_readings, "An arc whose ends agree may be a nil or a full turn.");

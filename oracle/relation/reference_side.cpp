@@ -10,16 +10,22 @@ using reference::Record;
 using reference::RecordKind;
 
 ReferenceSide::ReferenceSide(const reference::Profile& profile, std::string_view program,
-                             const Terms& terms, Settled settled)
+                             const Terms& terms, Settled settled, bool passes_end)
     : terms_(terms),
       bytes_(program),
       lines_(bytes_),
       expander_(profile, lines_, reference::OpenPaths::judged),
       settled_(std::move(settled)),
+      passes_end_(passes_end),
       here_(profile.initial.at) {
   expander_.on_acceptance([this](std::uint64_t block, reference::ClauseId clause) {
     acceptances_.push_back({events_.size(), block, clause});
   });
+}
+
+bool is_silent_end(const Item& item) {
+  const auto* record = std::get_if<Record>(&item);
+  return record != nullptr && record->kind == RecordKind::end && is_silent(record->clause);
 }
 
 const Event& ReferenceSide::at(std::size_t index) {
@@ -43,7 +49,12 @@ void ReferenceSide::extend() {
     return take(record);
   }
   ++item_;
-  take(*expander_.next());
+  const Item* item = expander_.next();
+  while (passes_end_ && is_silent_end(*item)) {
+    expander_.pass_over_end();
+    item = expander_.next();
+  }
+  take(*item);
 }
 
 void ReferenceSide::take(const Record& record) {

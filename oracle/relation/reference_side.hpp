@@ -21,12 +21,16 @@ struct Acceptance {
   reference::ClauseId clause = reference::kNoClause;
 };
 
+// An end that no text states.
+bool is_silent_end(const reference::Item& item);
+
 // The reference's events, each asked of it when it is looked at.
 class ReferenceSide {
  public:
-  // What it is given must outlive it.
+  // What it is given must outlive it. `passes_end`: what stands behind an end that no text states
+  // follows what stands before it (R7).
   ReferenceSide(const reference::Profile& profile, std::string_view program, const Terms& terms,
-                Settled settled);
+                Settled settled, bool passes_end);
   // The last one is the close; REQUIRES: none before it is.
   const Event& at(std::size_t index);
 
@@ -67,6 +71,7 @@ class ReferenceSide {
   grammar::LineSource lines_;
   reference::Expander expander_;
   Settled settled_;
+  bool passes_end_;
   Position here_;
   std::deque<Event> events_;
   std::deque<std::size_t> items_;  // the number of the item of each event

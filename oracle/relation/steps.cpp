@@ -162,7 +162,8 @@ void Correspondence::settle(const Place& place, std::vector<Record> path, const 
   Settled settled = reference(place).settled();
   settled.insert_or_assign(reference(place).item_of(place.i), std::move(path));
   Pair pair = pairs_[place.pair];
-  pair.reference = std::make_shared<ReferenceSide>(profile_, program_, terms_, std::move(settled));
+  pair.reference = std::make_shared<ReferenceSide>(profile_, program_, terms_, std::move(settled),
+                                                   manner_.passes_end);
   pairs_.push_back(std::move(pair));
   reach_corner({pairs_.size() - 1, next.i, next.j, next.m});
 }

@@ -550,6 +550,25 @@ TEST(R7Silence, AnAlarmOfOursMayBeMissing) {
             "fail.alarm-late R6");
 }
 
+// Line 3 is a second %, behind which X moves to a radius of 10, then of 15.
+TEST(R7Silence, AnEndOfOursExcusesWhatStandsBehindIt) {
+  const auto behind = [](std::string_view more, bool strict = false) {
+    return decided("%\nG00 X10\n%\nG00 X20\nG01 X30 F100\n",
+                   R"({"k":"rapid","b":2,"to":{"x":"5"}}
+)" + std::string(more),
+                   {.dialect = "gsk988ta", .strict = strict});
+  };
+  const std::string next = R"({"k":"rapid","b":4,"to":{"x":"10"}})"
+                           "\n";
+  const std::string last = R"({"k":"feed","b":5,"to":{"x":"15"},"f":"100"})"
+                           "\n";
+  EXPECT_EQ(behind(""), kGo);
+  EXPECT_TRUE(behind(next + last).starts_with("advice")) << behind(next + last);
+  EXPECT_TRUE(behind(next + last, true).starts_with("fail"));
+  EXPECT_TRUE(behind(next).starts_with("fail"));
+  EXPECT_TRUE(behind(next + R"({"k":"feed","b":5,"to":{"x":"16"},"f":"100"})").starts_with("fail"));
+}
+
 // R8, R9 --------------------------------------------------------------------------------------
 
 constexpr std::string_view kPocket =

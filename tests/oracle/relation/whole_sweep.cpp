@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "changes.hpp"
 #include "comparison.hpp"
@@ -22,6 +23,7 @@ namespace {
 using reference::Record;
 
 constexpr std::size_t kMostRecords = 300;
+constexpr double kMostRadius = 50'000;  // tau
 
 // In how many lines the definition cuts the arcs of a trace, about; each takes it a hundred times
 // as long as a line of its own.
@@ -35,6 +37,8 @@ double lines_of_arcs(std::span<const Record> records, const reference::Profile& 
     const double radius = std::hypot(mutations::value_of(record.to[axes.p] - record.centre[0]),
                                      mutations::value_of(record.to[axes.q] - record.centre[1]));
     lines += std::abs(static_cast<double>(record.rot)) * std::sqrt(40 * radius / tau);
+    // The cover of a level is decided on a raster all along its border.
+    if (radius > kMostRadius * tau) lines = std::numeric_limits<double>::infinity();
   }
   return lines;
 }
