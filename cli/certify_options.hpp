@@ -25,6 +25,7 @@ struct CertifyOptions {
   std::vector<std::string> cycles;
   std::vector<std::string> clauses;
   std::string shard = "1/1";
+  long seed = -1;  // less than 0: is drawn
   long jobs = 0;
   long causes = 3;
   bool fail_fast = false;

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
+#include <random>
 #include <set>
 
 #include "cli/arguments.hpp"
@@ -103,6 +105,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   const Shard shard = shard_option(options.shard);
   campaign.shard = shard.number;
   campaign.shards = shard.of;
+  campaign.seed = static_cast<std::uint64_t>(options.seed);
   read_subject_files(options, campaign);
   return campaign;
 }
@@ -167,6 +170,7 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   header.strict = grants.strict;
   header.sandbox = sandbox_name(campaign.limits, subject);
   if (campaign.limits.capture.blend) header.blend = campaign.limits.capture.blend->text();
+  header.seed = campaign.seed;
   header.capped = capped_declarations(campaign, info);
   header.shard = options.shard;
   header.argv = options.argv;
@@ -503,6 +507,12 @@ CertifyOptions with_failed_cases(CertifyOptions options) {
   return options;
 }
 
+// Short enough to be typed again.
+long drawn_seed() {
+  constexpr unsigned kMost = 1'000'000'000;
+  return static_cast<long>(std::random_device()() % (kMost - 1)) + 1;
+}
+
 void check_clauses(const CertifyOptions& options) {
   for (const std::string& id : options.clauses) {
     if (oracle::report::find_clause(id) != nullptr) continue;
@@ -513,7 +523,8 @@ void check_clauses(const CertifyOptions& options) {
 }  // namespace
 
 int certify(const CertifyOptions& asked) {
-  const CertifyOptions options = with_failed_cases(asked);
+  CertifyOptions options = with_failed_cases(asked);
+  if (options.seed < 0) options.seed = drawn_seed();
   check_clauses(options);
   check_readings(options);
   if (options.fail_fast && !options.certificate.empty()) {
@@ -566,6 +577,8 @@ void add_certify(Command& program) {
   command.repeated_option("--cycle", options->cycles, "only cases of this cycle, as g94");
   command.repeated_option("--clause", options->clauses, "only cases that test this clause");
   command.option("--shard", options->shard, "part i of n: i/n");
+  command.number("--seed", options->seed, 0, std::numeric_limits<long>::max(),
+                 "of the order of the cases (drawn anew); 0: that of the corpus");
   command.number("--jobs", options->jobs, 1, 256, "subjects that run at the same time");
   command.number("--causes", options->causes, 0, 1000,
                  "findings of which the likely cause is looked for (3)");

@@ -198,6 +198,7 @@ CertifyOptions certify_options(const CiWords& words) {
   options.alarm_map = words.trial.alarm_map;
   options.limits = words.trial.limits;
   options.jobs = words.jobs;
+  options.seed = words.seed;
   options.argv = arguments();
   return options;
 }

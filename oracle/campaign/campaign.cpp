@@ -30,7 +30,7 @@ class Run {
         results_(results),
         progress_(progress),
         known_failures_(options.known_failures),
-        queue_(corpus, [this](Case test) { return select(std::move(test)); }) {}
+        queue_(corpus, options.seed, [this](Case test) { return select(std::move(test)); }) {}
 
   void work(const SubjectMaker& make_subject);
   CampaignEnd end();

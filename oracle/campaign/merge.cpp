@@ -70,7 +70,7 @@ void check_same_run(const Shard& a, const Shard& b) {
   }
   for (const Shard* from : {&a, &b}) {
     for (const auto& [key, value] : from->header.items()) {
-      if (key == "argv" || key == "shard") continue;
+      if (key == "argv" || key == "shard" || key == "seed") continue;
       const Json& here = a.header.contains(key) ? a.header[key] : Json();
       const Json& there = b.header.contains(key) ? b.header[key] : Json();
       if (here != there) {
@@ -171,6 +171,17 @@ void check_cases(const Corpus& corpus, const std::map<unsigned, Shard>& shards) 
   }
 }
 
+// 0: they have none in common.
+std::uint64_t common_seed(const std::map<unsigned, Shard>& shards) {
+  const auto seed_of = [](const Shard& shard) {
+    return shard.header.value("seed", std::uint64_t{0});
+  };
+  const std::uint64_t seed = seed_of(shards.begin()->second);
+  const bool is_common =
+      std::ranges::all_of(shards, [&](const auto& entry) { return seed_of(entry.second) == seed; });
+  return is_common ? seed : 0;
+}
+
 void add_lines(const Shard& shard, ResultsWriter& writer) {
   ResultsReader reader = open(shard.path);
   for (CaseHead head; reader.next(head);) {
@@ -213,6 +224,7 @@ MergeOutcome merge_results(const MergeOptions& options) {
   Json header = shards.begin()->second.header;
   header["shard"] = "1/1";
   header["argv"] = options.argv;
+  header["seed"] = common_seed(shards);
   ResultsWriter writer(options.out, header.dump());
   for (const auto& [number, shard] : shards) add_lines(shard, writer);
   if (outcome.missing.empty()) {

@@ -48,7 +48,7 @@ struct ResultsHeader {
   std::vector<std::string> clauses;   // empty: all
   std::string known_failures_sha256;  // of the file; empty: none
   std::string alarm_map_sha256;       // of the file; empty: none
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;             // of the order of the cases; 0: there is none
   std::string shard = "1/1";
   std::vector<std::string> argv;
 };

@@ -26,7 +26,7 @@ class ResultsWriter {
 
   // Throws ResultsUnwritable when the journal cannot be written; ResultsRefused when another run
   // writes there, when what stands there is no results, and when the journal is of another run: its
-  // header may differ in argv only.
+  // header may differ in argv and seed only.
   ResultsWriter(std::string path, const ResultsHeader& header, Start start = Start::anew);
   // With a header line that is there already.
   ResultsWriter(std::string path, std::string header);

@@ -100,6 +100,9 @@ RunConditions conditions_of(const Json& header) {
   add_grants(header, conditions.granted);
   conditions.strict = header.value("strict", Json(false)) == true;
   conditions.sandbox = text_in(header, "sandbox");
+  if (const Json seed = header.value("seed", Json()); seed.is_number_unsigned()) {
+    conditions.seed = seed.get<std::uint64_t>();
+  }
   add_part(header, conditions.part);
   const Json features = header.value("/subject/features"_json_pointer, Json());
   const auto lacks = [&](const char* feature) {
@@ -124,6 +127,7 @@ std::string RunConditions::text() const {
   put("not compared", lacking);
   if (strict) text += "; strict";
   if (!sandbox.empty()) text += "; sandbox: " + sandbox;
+  if (seed != 0) text += fmt::format("; seed {}", seed);
   return text;
 }
 

@@ -3,6 +3,7 @@
 // What lies between a run and one of a whole corpus under the subject's own numbers.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ struct RunConditions {
   };
   std::vector<NotCompared> not_compared;
   bool strict = false;
-  std::string sandbox;  // of a subject that is a process: "bubblewrap", "none"
+  std::string sandbox;     // of a subject that is a process: "bubblewrap", "none"
+  std::uint64_t seed = 0;  // of the order of the cases; 0: there is none
 
   // None, or strictness alone, which grants nothing.
   bool are_none() const { return granted.empty() && part.empty() && not_compared.empty(); }

@@ -134,6 +134,7 @@ std::string results_of(const Scratch& scratch, const std::string& name,
                        const CampaignOptions& options, const SubjectMaker& maker) {
   const Corpus corpus(scratch.path("corpus"));
   ResultsHeader header;
+  header.seed = options.seed;
   header.shard = std::to_string(options.shard) + "/" + std::to_string(options.shards);
   ResultsWriter writer(scratch.path(name), header);
   const CampaignEnd end = run_campaign(

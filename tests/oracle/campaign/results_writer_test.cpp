@@ -94,11 +94,12 @@ TEST(ResultsWriter, DoesNotGoOnFromTheJournalOfAnotherRun) {
   }
 }
 
-TEST(ResultsWriter, GoesOnWhenOnlyTheCommandLineDiffers) {
+TEST(ResultsWriter, GoesOnWhenOnlyTheCommandLineAndTheOrderDiffer) {
   const Scratch scratch;
   leave_journal(scratch, "");
   ResultsHeader header = header_of("1");
   header.argv = {"certify", "--resume"};
+  header.seed = 7;
   EXPECT_EQ(ResultsWriter(scratch.path("r.jsonl"), header, Start::resume).resumed(), 1U);
 }
 
