@@ -25,7 +25,7 @@ struct Shard {
   Json header;
   std::optional<Json> footer;  // nothing: incomplete
   std::string sha256;
-  std::uint64_t cases = 0;
+  std::uint64_t cases = 0;  // of the corpus
   IdSet ids;
 };
 
@@ -50,6 +50,8 @@ Shard look_at(const std::string& path) {
     throw MergeError(fmt::format("{}: \"{}\" is no shard i/n.", path, text));
   }
   for (CaseHead head; reader.next(head);) {
+    if (is_fresh(head.id)) continue;
+    ++shard.cases;
     if (shard_of(head.id, shard.of) != shard.number) {
       throw MergeError(
           fmt::format("{}: the case {} does not belong to shard {}.", path, head.id, text));
@@ -58,7 +60,6 @@ Shard look_at(const std::string& path) {
   }
   shard.footer = reader.footer();
   shard.sha256 = reader.sha256();
-  shard.cases = reader.cases();
   return shard;
 }
 
@@ -127,6 +128,7 @@ ResultsWriter::Ending ending_of(const std::map<unsigned, Shard>& shards) {
   for (const auto& [number, shard] : shards) {
     const Json& footer = *shard.footer;
     ending.left_out += footer.value("left_out", std::size_t{0});
+    add_fresh(ending.fresh, fresh_from_json(footer.value("fresh", Json::object())));
     if (texts(footer.value("stale", Json::array())) != texts(first.value("stale", Json::array()))) {
       throw MergeError(fmt::format("{} and {} differ in the stale entries of the subject's files.",
                                    shards.begin()->second.path, shard.path));

@@ -14,6 +14,7 @@
 #include "oracle/campaign/tally.hpp"
 #include "oracle/corpus/sha256.hpp"
 #include "oracle/judge/terms.hpp"
+#include "oracle/records/fresh_counts.hpp"
 #include "oracle/records/verdict.hpp"
 #include "oracle/subject.hpp"
 #include "reference/profile.hpp"
@@ -86,6 +87,7 @@ struct ResultsFooter {
   // Entries of the alarm map that no case met; nothing when cases were left out by choice. Stale
   // when the run is no shard.
   std::optional<std::vector<std::string>> unused_alarms;
+  FreshCounts fresh;   // programs beside the cases
   std::string sha256;  // over the case lines without `us`, `attempts` and `notes`
 };
 

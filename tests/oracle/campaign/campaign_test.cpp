@@ -172,9 +172,12 @@ TEST(Campaign, ASubjectThatSkipsAllButOneIsGoForNoFeature) {
   write_corpus(scratch, 10);
   const std::string footer =
       results_of(scratch, "r", options_of(1), fake_maker(skipping_all_but("t.000003", "g90")));
-  EXPECT_NE(footer.find("\"head\":\"GO: 1 judged; not claimed: 9 cases; not judged for the most "
-                        "part: basic (1 of 10 cases); not compared: M functions, source lines\""),
-            std::string::npos)
+  EXPECT_NE(
+      footer.find(
+          "\"head\":\"GO: 1 judged; not claimed: 9 cases; not judged for the most "
+          "part: basic (1 of 10 cases); not compared: M functions, source lines; fresh programs: "
+          "none\""),
+      std::string::npos)
       << footer;
 }
 
@@ -185,7 +188,8 @@ TEST(Campaign, ASubjectThatDeclaresLittleIsAskedForNoMore) {
   little.info = declaring({{"gsk988ta", {"g94"}}});
   const std::string footer = results_of(scratch, "r", options_of(1), fake_maker(little));
   EXPECT_NE(footer.find("\"head\":\"UNDECIDED: 0 judged; not claimed: basic (10 cases); not "
-                        "compared: M functions, source lines\""),
+                        "compared: M functions, source lines; fresh programs: "
+                        "none\""),
             std::string::npos)
       << footer;
 }

@@ -74,6 +74,20 @@ TEST_F(Merge, IsTheResultOfAnUndividedRunByteForByte) {
   EXPECT_EQ(comparable(scratch_.read("merged")), comparable(scratch_.read("whole")));
 }
 
+// A fresh program belongs to no shard, and each shard asks its own.
+TEST_F(Merge, FreshProgramsOfShardsAddUp) {
+  run_shards();
+  for (unsigned shard = 1; shard <= kShards; ++shard) {
+    const std::string number = std::to_string(shard);
+    ASSERT_NO_FATAL_FAILURE(
+        replace_in("s" + number, R"("fresh":{})",
+                   R"("fresh":{"gsk988ta":{"wanted":9,"programs":)" + number + R"(,"judged":1}})"));
+  }
+  const MergeOutcome outcome = merge({"s1", "s2", "s3"});
+  EXPECT_EQ(outcome.footer.fresh, (FreshCounts{{"gsk988ta", {27, 6, 3}}}));
+  EXPECT_TRUE(outcome.answer.head.ends_with("; fresh programs: 3")) << outcome.answer.head;
+}
+
 TEST_F(Merge, ShardsOfDifferentSeedsAreOneRunWithoutASeed) {
   const auto merged_seed = [&](std::uint64_t step) {
     for (unsigned shard = 1; shard <= kShards; ++shard) {
