@@ -447,6 +447,26 @@ TEST(Campaign, TheResultsAreNotOfTheOrder) {
   EXPECT_EQ(hash_of(6), by_id);
 }
 
+TEST(Campaign, WhatBreaksDownBehindTheLastCaseBreaksDownInIt) {
+  const Scratch scratch;
+  write_corpus(scratch, 20);
+  const Corpus corpus(scratch.path("corpus"));
+  FakeSubject fake;
+  fake.breaks_at_end = true;
+  std::vector<CaseResult> results;
+  run_campaign(
+      corpus, options_of(1), fake_maker(fake),
+      [&](const CaseResult& result) { results.push_back(result); }, nullptr);
+  ASSERT_EQ(results.size(), 20U);
+  EXPECT_EQ(results.back().verdict.kind, VerdictKind::crash);
+  EXPECT_EQ(results.back().verdict.message, "It broke down at its end.");
+  EXPECT_FALSE(results.back().program.empty());
+  results.pop_back();
+  EXPECT_TRUE(std::ranges::all_of(results, [](const CaseResult& result) {
+    return decision(result.verdict.kind) == Decision::go;
+  }));
+}
+
 TEST(Campaign, StopsAtTheFirstNoGoWhenAsked) {
   const Scratch scratch;
   write_corpus(scratch, 1'000);
