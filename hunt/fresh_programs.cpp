@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hunt/fresh_programs.hpp"
 
-#include "oracle/records/record_json.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::hunt {
 namespace {
