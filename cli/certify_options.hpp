@@ -25,6 +25,8 @@ struct CertifyOptions {
   std::vector<std::string> cycles;
   std::vector<std::string> clauses;
   std::string shard = "1/1";
+  long seed = -1;   // less than 0: is drawn
+  long fresh = -1;  // programs of a dialect beside the corpus; less than 0: as many as were judged
   long jobs = 0;
   long causes = 3;
   bool fail_fast = false;

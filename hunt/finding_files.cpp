@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kCycle = "hunt";
-
 std::string verdict_text(const Finding& finding, const oracle::Case& test) {
   oracle::FindingFacts facts = oracle::finding_facts(finding.verdict);
   facts.profile = reference::profile_json(test.profile);
@@ -80,8 +78,8 @@ void write_beside(const fs::path& folder, const Finding& finding, const JudgedRu
 
 oracle::Case case_of(const Finding& finding, const oracle::SubjectInfo& subject,
                      const Provenance& provenance) {
-  oracle::Case test = vector_of(finding.exhibit.program, kCycle);
-  test.group = fmt::format("hunt.{}.{}", test.dialect, finding.signature.hash());
+  oracle::Case test = vector_of(finding.exhibit.program, provenance.room);
+  test.group = fmt::format("{}.{}.{}", provenance.room, test.dialect, finding.signature.hash());
   test.id = test.group + ".000001";
   test.comment = finding.signature.text();
   // The clause departed from is what it is about.

@@ -17,9 +17,10 @@ struct Provenance {
   std::string gonogo;   // "gonogo 0.1.0"
   std::string subject;  // as it was named
   std::uint64_t seed = 0;
+  std::string_view room = "hunt";  // where the ids of its cases begin, and their cycle
 };
 
-// The finding as a case "hunt.DIALECT.HASH.000001" with what the reference expects.
+// The finding as a case "ROOM.DIALECT.HASH.000001" with what the reference expects.
 oracle::Case case_of(const Finding& finding, const oracle::SubjectInfo& subject,
                      const Provenance& provenance);
 

@@ -6,9 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
+#include <random>
 #include <set>
 
 #include "cli/arguments.hpp"
@@ -19,6 +22,7 @@
 #include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/first_subject.hpp"
+#include "cli/fresh_run.hpp"
 #include "cli/gauge.hpp"
 #include "cli/known_failures_file.hpp"
 #include "cli/nearest_word.hpp"
@@ -103,6 +107,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   const Shard shard = shard_option(options.shard);
   campaign.shard = shard.number;
   campaign.shards = shard.of;
+  campaign.seed = static_cast<std::uint64_t>(options.seed);
   read_subject_files(options, campaign);
   return campaign;
 }
@@ -167,6 +172,7 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   header.strict = grants.strict;
   header.sandbox = sandbox_name(campaign.limits, subject);
   if (campaign.limits.capture.blend) header.blend = campaign.limits.capture.blend->text();
+  header.seed = campaign.seed;
   header.capped = capped_declarations(campaign, info);
   header.shard = options.shard;
   header.argv = options.argv;
@@ -221,14 +227,16 @@ oracle::CampaignEnd run_cases(const oracle::Corpus& corpus, oracle::CampaignOpti
 
 // Sorts the journal into the results.
 CampaignSummary close_results(const oracle::CampaignOptions& campaign,
-                              const oracle::CampaignEnd& end, oracle::ResultsWriter& results,
-                              oracle::CaptureTally* captured, KnownFailuresFile* known) {
+                              const oracle::CampaignEnd& end, const oracle::FreshCounts& fresh,
+                              oracle::ResultsWriter& results, oracle::CaptureTally* captured,
+                              KnownFailuresFile* known) {
   CampaignSummary summary;
   summary.complete = end.complete;
   oracle::ResultsWriter::Ending ending;
   ending.left_out = end.left_out;
   ending.stale = end.stale;
   ending.is_shard = campaign.shards > 1;
+  ending.fresh = fresh;
   ending.is_complete = end.complete;
   if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
   summary.answer =
@@ -236,7 +244,7 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
         if (captured != nullptr) captured->take(line);
         const oracle::CaseFacts facts = oracle::facts_of(line);
         const oracle::Finding* finding = summary.findings.add(facts.head, kind);
-        if (known != nullptr) known->add(facts, kind, finding);
+        if (known != nullptr && !oracle::is_fresh(facts.id)) known->add(facts, kind, finding);
         if (facts.head.attempts > kConfirming) {
           ++summary.run_again;
           summary.further_runs += facts.head.attempts - kConfirming;
@@ -252,11 +260,10 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
 // What the corpus says of the smallest cases, and the command that runs each again.
 void describe_smallest(const oracle::Corpus& corpus, const oracle::ResultsHeader& header,
                        CampaignSummary& summary) {
-  const std::string command =
-      oracle::report::command_for_case(nlohmann::ordered_json::parse(header_line(header)));
+  const auto run = nlohmann::ordered_json::parse(header_line(header));
   std::map<std::string, oracle::evidence::CaseRow*> wanted;
   for (auto& [number, row] : summary.smallest) {
-    row.next = command + again_words(row);
+    row.next = again_command(run, row);
     wanted[row.id] = &row;
   }
   oracle::CaseReader reader(corpus, oracle::Detail::to_run);
@@ -386,8 +393,15 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
     const oracle::ResultsHeader header = results_header(options, subject, corpus, campaign, info);
     open_results(options, results_path, header, results);
     need_selected(corpus, campaign, *results);
+    const auto begin = std::chrono::steady_clock::now();
     const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, *results);
-    summary = close_results(campaign, end, *results, info.recorded ? &captured : nullptr,
+    const auto took = std::chrono::steady_clock::now() - begin;
+    const oracle::FreshCounts fresh =
+        ask_fresh_programs(options,
+                           {corpus, campaign, maker, subject,
+                            std::chrono::duration_cast<std::chrono::milliseconds>(took)},
+                           report, *results);
+    summary = close_results(campaign, end, fresh, *results, info.recorded ? &captured : nullptr,
                             known ? &*known : nullptr);
     describe_smallest(corpus, header, summary);
     name_causes(options, corpus, campaign, maker, subject, report, summary);
@@ -487,6 +501,7 @@ CertifyOptions with_failed_cases(CertifyOptions options) {
       if (!spec.empty()) options.subjects.push_back(spec);
     }
     for (oracle::CaseHead head; results.next(head);) {
+      if (oracle::is_fresh(head.id)) continue;  // is in no corpus
       const auto kind =
           oracle::verdict_kind(head.verdict).value_or(oracle::VerdictKind::oracle_error);
       if (findings.add(head, kind) == nullptr) continue;
@@ -503,6 +518,12 @@ CertifyOptions with_failed_cases(CertifyOptions options) {
   return options;
 }
 
+// Short enough to be typed again.
+long drawn_seed() {
+  constexpr unsigned kMost = 1'000'000'000;
+  return static_cast<long>(std::random_device()() % (kMost - 1)) + 1;
+}
+
 void check_clauses(const CertifyOptions& options) {
   for (const std::string& id : options.clauses) {
     if (oracle::report::find_clause(id) != nullptr) continue;
@@ -513,7 +534,8 @@ void check_clauses(const CertifyOptions& options) {
 }  // namespace
 
 int certify(const CertifyOptions& asked) {
-  const CertifyOptions options = with_failed_cases(asked);
+  CertifyOptions options = with_failed_cases(asked);
+  if (options.seed < 0) options.seed = drawn_seed();
   check_clauses(options);
   check_readings(options);
   if (options.fail_fast && !options.certificate.empty()) {
@@ -566,6 +588,12 @@ void add_certify(Command& program) {
   command.repeated_option("--cycle", options->cycles, "only cases of this cycle, as g94");
   command.repeated_option("--clause", options->clauses, "only cases that test this clause");
   command.option("--shard", options->shard, "part i of n: i/n");
+  command.number(
+      "--seed", options->seed, 0, std::numeric_limits<long>::max(),
+      "of the order of the cases (drawn anew) and of the fresh programs; 0: cases in the "
+      "order of the corpus");
+  command.number("--fresh", options->fresh, 0, 100'000'000,
+                 "programs of each dialect that are in no corpus (as many as cases were judged)");
   command.number("--jobs", options->jobs, 1, 256, "subjects that run at the same time");
   command.number("--causes", options->causes, 0, 1000,
                  "findings of which the likely cause is looked for (3)");

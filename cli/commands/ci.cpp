@@ -198,6 +198,8 @@ CertifyOptions certify_options(const CiWords& words) {
   options.alarm_map = words.trial.alarm_map;
   options.limits = words.trial.limits;
   options.jobs = words.jobs;
+  options.seed = words.seed;
+  options.fresh = 0;  // the hunt is what draws programs here
   options.argv = arguments();
   return options;
 }

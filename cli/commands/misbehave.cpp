@@ -124,6 +124,7 @@ int misbehave(const std::string& kind) {
     if (command == "configure") subject.configure(message);
     if (command == "reset") send(R"({"ok":true})");
     if (command == "run") subject.run(message);
+    if (command == "stop" && kind == "abort-at-stop") std::abort();
     if (command == "stop") break;
   }
   return kGo;

@@ -30,7 +30,7 @@ class Run {
         results_(results),
         progress_(progress),
         known_failures_(options.known_failures),
-        queue_(corpus, [this](Case test) { return select(std::move(test)); }) {}
+        queue_(corpus, options.seed, [this](Case test) { return select(std::move(test)); }) {}
 
   void work(const SubjectMaker& make_subject);
   CampaignEnd end();
@@ -110,23 +110,34 @@ void Run::finish_case(CaseResult result) {
   if (stopped_) queue_.stop();
 }
 
-// Cases are taken ahead as far as the subject may be sent programs ahead.
+// Cases are taken ahead as far as the subject may be sent programs ahead. A result waits for the
+// next one: how the subject ends is told of the last.
 void Run::run_cases(CaseJudge& judge) {
   const std::size_t window = judge.window();
   const auto takers = static_cast<std::size_t>(options_.jobs);
   std::deque<Case> ahead;
   std::size_t announced = 0;  // of them
+  std::optional<std::pair<Case, CaseResult>> last;
+  const auto finish_last = [&] {
+    if (last) finish_case(std::move(last->second));
+    last.reset();
+  };
   while (true) {
     if (ahead.size() <= window / 2) queue_.take(ahead, window - ahead.size(), takers);
-    if (ahead.empty()) return;
+    if (ahead.empty()) break;
     judge.prepare(ahead.front());
     while (announced < ahead.size() && judge.announce(ahead[announced])) ++announced;
-    finish_case(judge.judge(ahead.front()));
+    CaseResult result = judge.judge(ahead.front());
+    finish_last();
+    last.emplace(std::move(ahead.front()), std::move(result));
+    if (decision(last->second.verdict.kind) == Decision::no_go) finish_last();
     ahead.pop_front();
     if (announced > 0) --announced;
     const std::lock_guard lock(mutex_);
     if (stopped_) return;
   }
+  if (last) judge.finish(last->first, last->second);
+  finish_last();
 }
 
 void Run::work(const SubjectMaker& make_subject) {

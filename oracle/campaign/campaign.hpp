@@ -32,6 +32,7 @@ struct CampaignOptions {
   int jobs = 1;
   unsigned shard = 1;
   unsigned shards = 1;
+  std::uint64_t seed = 0;  // of the order in which cases run; 0: that of the corpus
   bool fail_fast = false;
   Limits limits;
   std::vector<KnownFailure> known_failures;

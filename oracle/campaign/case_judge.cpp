@@ -7,6 +7,7 @@
 
 #include "oracle/judge/step_text.hpp"
 #include "oracle/records/finding.hpp"
+#include "oracle/subjects/farewell.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -298,6 +299,18 @@ void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const A
     result.verdict.reading =
         explaining_reading(test.profile, test.program, plain, attempt.records, attempt.end);
   }
+}
+
+// J-RUN-08.
+void CaseJudge::finish(const Case& test, CaseResult& result) {
+  const std::optional<RunEnd> broken = oracle::finish(*subject_);
+  if (!broken) return;
+  result.verdict = {};
+  result.verdict.kind = VerdictKind::crash;
+  result.verdict.message = broken->message;
+  result.notes = broken->notes;
+  result.program = test.program;
+  result.readings.reset();
 }
 
 CaseResult CaseJudge::judge(const Case& test) {

@@ -25,6 +25,9 @@ class CaseJudge {
   // be told yet: the case has another profile than the one that was prepared.
   bool announce(const Case& test);
   CaseResult judge(const Case& test);
+  // Behind the last case, which was no NO-GO: ends the subject. What breaks down in that, breaks
+  // down in this case, since no other is to come.
+  void finish(const Case& test, CaseResult& result);
 
  private:
   struct Attempt;

@@ -5,18 +5,18 @@
 
 namespace gonogo::oracle {
 
-CaseQueue::CaseQueue(const Corpus& corpus, Select select)
-    : reader_([this, &corpus, choose = std::move(select)] { read(corpus, choose); }) {}
+CaseQueue::CaseQueue(const Corpus& corpus, std::uint64_t seed, Select select)
+    : reader_([this, &corpus, seed, choose = std::move(select)] { read(corpus, seed, choose); }) {}
 
 CaseQueue::~CaseQueue() {
   stop();
   if (reader_.joinable()) reader_.join();
 }
 
-void CaseQueue::read(const Corpus& corpus, const Select& select) {
+void CaseQueue::read(const Corpus& corpus, std::uint64_t seed, const Select& select) {
   std::exception_ptr failure;
   try {
-    CaseReader reader(corpus, Detail::to_run);
+    CaseReader reader(corpus, Detail::to_run, seed);
     bool wanted = true;
     while (wanted) {
       std::optional<Case> test = reader.next();

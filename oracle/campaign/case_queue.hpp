@@ -5,6 +5,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <exception>
 #include <functional>
@@ -21,8 +22,9 @@ class CaseQueue {
   // What of a case of the corpus is to be run; nothing: not this one.
   using Select = std::function<std::optional<Case>(Case)>;
 
-  // Begins to read. The corpus must outlive the queue; `select` is called in the reading thread.
-  CaseQueue(const Corpus& corpus, Select select);
+  // Begins to read, in the order of the seed. The corpus must outlive the queue; `select` is called
+  // in the reading thread.
+  CaseQueue(const Corpus& corpus, std::uint64_t seed, Select select);
   CaseQueue(const CaseQueue&) = delete;
   CaseQueue& operator=(const CaseQueue&) = delete;
   ~CaseQueue();
@@ -39,7 +41,7 @@ class CaseQueue {
   std::size_t expected() const;
 
  private:
-  void read(const Corpus& corpus, const Select& select);
+  void read(const Corpus& corpus, std::uint64_t seed, const Select& select);
   bool put(Case test, double part);
 
   static constexpr std::size_t kMost = 512;

@@ -7,6 +7,7 @@
 
 #include "oracle/campaign/encoding.hpp"
 #include "oracle/campaign/selection.hpp"
+#include "oracle/records/fresh_counts.hpp"
 
 namespace gonogo::oracle {
 
@@ -52,10 +53,7 @@ std::string line_fault(const Case& test, const Json& line) {
 }
 
 CaseRoll::CaseRoll(const Corpus& corpus, const Json& header, Visit visit, Note note)
-    : corpus_(corpus),
-      asked_(asked_in(header)),
-      visit_(std::move(visit)),
-      note_(std::move(note)) {}
+    : corpus_(corpus), asked_(asked_in(header)), visit_(std::move(visit)), note_(std::move(note)) {}
 
 void CaseRoll::take(const CaseHead& head, std::string line) {
   bytes_ += line.size();
@@ -77,6 +75,10 @@ void CaseRoll::call(bool is_last) {
     if (is_due && is_selected(asked_, *test)) call_one(*std::move(test));
   }
   for (const auto& [id, line] : lines_) {
+    if (is_fresh(id)) {
+      if (visit_) visit_(nullptr, Json::parse(line));
+      continue;
+    }
     faults_.push_back(fmt::format("{}: the run was not asked for such a case.", id));
   }
   lines_.clear();
@@ -102,7 +104,7 @@ void CaseRoll::call_one(Case test) {
   if (std::string fault = line_fault(*merged, line); !fault.empty()) {
     faults_.push_back(std::move(fault));
   } else if (visit_) {
-    visit_(*merged, line);
+    visit_(&*merged, line);
   }
 }
 

@@ -24,8 +24,8 @@ std::string line_fault(const Case& test, const ResultsReader::Json& line);
 class CaseRoll {
  public:
   using Json = ResultsReader::Json;
-  // Sees each case with its line, when the line is that of the case.
-  using Visit = std::function<void(const Case& test, const Json& line)>;
+  // Sees each case with its line, when the line is that of the case; null: of a fresh program.
+  using Visit = std::function<void(const Case* test, const Json& line)>;
   // Sees the id of every case of the corpus once.
   using Note = std::function<void(const std::string& id)>;
 

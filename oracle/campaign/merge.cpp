@@ -25,7 +25,7 @@ struct Shard {
   Json header;
   std::optional<Json> footer;  // nothing: incomplete
   std::string sha256;
-  std::uint64_t cases = 0;
+  std::uint64_t cases = 0;  // of the corpus
   IdSet ids;
 };
 
@@ -50,6 +50,8 @@ Shard look_at(const std::string& path) {
     throw MergeError(fmt::format("{}: \"{}\" is no shard i/n.", path, text));
   }
   for (CaseHead head; reader.next(head);) {
+    if (is_fresh(head.id)) continue;
+    ++shard.cases;
     if (shard_of(head.id, shard.of) != shard.number) {
       throw MergeError(
           fmt::format("{}: the case {} does not belong to shard {}.", path, head.id, text));
@@ -58,7 +60,6 @@ Shard look_at(const std::string& path) {
   }
   shard.footer = reader.footer();
   shard.sha256 = reader.sha256();
-  shard.cases = reader.cases();
   return shard;
 }
 
@@ -70,7 +71,7 @@ void check_same_run(const Shard& a, const Shard& b) {
   }
   for (const Shard* from : {&a, &b}) {
     for (const auto& [key, value] : from->header.items()) {
-      if (key == "argv" || key == "shard") continue;
+      if (key == "argv" || key == "shard" || key == "seed") continue;
       const Json& here = a.header.contains(key) ? a.header[key] : Json();
       const Json& there = b.header.contains(key) ? b.header[key] : Json();
       if (here != there) {
@@ -127,6 +128,7 @@ ResultsWriter::Ending ending_of(const std::map<unsigned, Shard>& shards) {
   for (const auto& [number, shard] : shards) {
     const Json& footer = *shard.footer;
     ending.left_out += footer.value("left_out", std::size_t{0});
+    add_fresh(ending.fresh, fresh_from_json(footer.value("fresh", Json::object())));
     if (texts(footer.value("stale", Json::array())) != texts(first.value("stale", Json::array()))) {
       throw MergeError(fmt::format("{} and {} differ in the stale entries of the subject's files.",
                                    shards.begin()->second.path, shard.path));
@@ -171,6 +173,17 @@ void check_cases(const Corpus& corpus, const std::map<unsigned, Shard>& shards) 
   }
 }
 
+// 0: they have none in common.
+std::uint64_t common_seed(const std::map<unsigned, Shard>& shards) {
+  const auto seed_of = [](const Shard& shard) {
+    return shard.header.value("seed", std::uint64_t{0});
+  };
+  const std::uint64_t seed = seed_of(shards.begin()->second);
+  const bool is_common =
+      std::ranges::all_of(shards, [&](const auto& entry) { return seed_of(entry.second) == seed; });
+  return is_common ? seed : 0;
+}
+
 void add_lines(const Shard& shard, ResultsWriter& writer) {
   ResultsReader reader = open(shard.path);
   for (CaseHead head; reader.next(head);) {
@@ -213,6 +226,7 @@ MergeOutcome merge_results(const MergeOptions& options) {
   Json header = shards.begin()->second.header;
   header["shard"] = "1/1";
   header["argv"] = options.argv;
+  header["seed"] = common_seed(shards);
   ResultsWriter writer(options.out, header.dump());
   for (const auto& [number, shard] : shards) add_lines(shard, writer);
   if (outcome.missing.empty()) {

@@ -122,6 +122,7 @@ std::string footer_line(const ResultsFooter& footer) {
   if (!footer.coordinates.empty()) line["coordinates"] = coordinates_json(footer.coordinates);
   line["stale"] = footer.stale;
   if (footer.unused_alarms) line["unused_alarms"] = *footer.unused_alarms;
+  line["fresh"] = fresh_json(footer.fresh);
   line["sha256"] = footer.sha256;
   return dump(line);
 }

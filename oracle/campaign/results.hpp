@@ -14,6 +14,7 @@
 #include "oracle/campaign/tally.hpp"
 #include "oracle/corpus/sha256.hpp"
 #include "oracle/judge/terms.hpp"
+#include "oracle/records/fresh_counts.hpp"
 #include "oracle/records/verdict.hpp"
 #include "oracle/subject.hpp"
 #include "reference/profile.hpp"
@@ -48,7 +49,7 @@ struct ResultsHeader {
   std::vector<std::string> clauses;   // empty: all
   std::string known_failures_sha256;  // of the file; empty: none
   std::string alarm_map_sha256;       // of the file; empty: none
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;             // of the order of the cases; 0: there is none
   std::string shard = "1/1";
   std::vector<std::string> argv;
 };
@@ -86,6 +87,7 @@ struct ResultsFooter {
   // Entries of the alarm map that no case met; nothing when cases were left out by choice. Stale
   // when the run is no shard.
   std::optional<std::vector<std::string>> unused_alarms;
+  FreshCounts fresh;   // programs beside the cases
   std::string sha256;  // over the case lines without `us`, `attempts` and `notes`
 };
 

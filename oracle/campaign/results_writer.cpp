@@ -34,10 +34,11 @@ std::string folder_of(const std::string& path) {
   return parent.empty() ? "." : parent.string();
 }
 
-// The key in which two headers differ, `argv` aside; empty: none.
+// The key in which two headers differ; empty: none. Neither the command line nor the order of the
+// cases makes it another run.
 std::string difference(const Json& a, const Json& b) {
   for (const auto& [key, value] : b.items()) {
-    if (key != "argv" && (!a.contains(key) || a[key] != value)) return key;
+    if (key != "argv" && key != "seed" && (!a.contains(key) || a[key] != value)) return key;
   }
   for (const auto& [key, value] : a.items()) {
     if (!b.contains(key)) return key;
@@ -153,6 +154,7 @@ void ResultsWriter::resume() {
             "{} holds the case {} twice. Leave --resume out to begin anew.", journal, head.id));
       }
       lines_.add(reader.text());
+      count(head.dialect, verdict_kind(head.verdict).value_or(VerdictKind::oracle_error));
     }
     whole = reader.whole_bytes();
   } catch (const ResultsError& error) {
@@ -173,6 +175,17 @@ void ResultsWriter::write(std::string_view line) {
       std::fputc('\n', journal_.get()) == EOF || std::fflush(journal_.get()) != 0) {
     fail_to_write(journal_of(path_));
   }
+}
+
+void ResultsWriter::count(const std::string& dialect, VerdictKind kind) {
+  if (is_judged(kind)) ++standing_.judged[dialect];
+  if (decision(kind) == Decision::no_go) ++standing_.no_go;
+  if (kind == VerdictKind::xfail) ++standing_.known;
+}
+
+void ResultsWriter::add(const CaseResult& result) {
+  add_line(case_line(result, true));
+  count(result.dialect, result.verdict.kind);
 }
 
 void ResultsWriter::add_line(std::string_view line) {
@@ -219,7 +232,10 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
       }
     }
   }
-  const RunAnswer answer = tally.finish(footer.stale, conditions_of(Json::parse(header_)));
+  footer.fresh = ending.fresh;
+  RunConditions conditions = conditions_of(Json::parse(header_));
+  conditions.fresh = footer.fresh;
+  const RunAnswer answer = tally.finish(footer.stale, conditions);
   footer.decision = answer.decision;
   footer.head = answer.head;
   footer.totals = answer.totals;

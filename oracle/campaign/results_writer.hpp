@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,7 @@ class ResultsWriter {
 
   // Throws ResultsUnwritable when the journal cannot be written; ResultsRefused when another run
   // writes there, when what stands there is no results, and when the journal is of another run: its
-  // header may differ in argv only.
+  // header may differ in argv and seed only.
   ResultsWriter(std::string path, const ResultsHeader& header, Start start = Start::anew);
   // With a header line that is there already.
   ResultsWriter(std::string path, std::string header);
@@ -39,8 +40,18 @@ class ResultsWriter {
   std::size_t resumed() const { return resumed_.size(); }
 
   // Both throw ResultsUnwritable; what came before is kept.
-  void add(const CaseResult& result) { add_line(case_line(result, true)); }
+  void add(const CaseResult& result);
   void add_line(std::string_view line);
+  // A program that is in no corpus. A run that goes on draws its own: the journal has none.
+  void add_fresh(const CaseResult& result) { lines_.add(case_line(result, true)); }
+
+  // What the cases come to so far, before the readings of the run are reconciled.
+  struct Standing {
+    std::map<std::string, std::size_t> judged;  // by dialect
+    std::size_t no_go = 0;
+    std::size_t known = 0;  // to fail
+  };
+  const Standing& standing() const { return standing_; }
 
   // What close() needs to know of the run besides its cases.
   struct Ending {
@@ -50,6 +61,7 @@ class ResultsWriter {
     std::optional<std::vector<std::string>> alarms;
     // With shards, whose cases may meet what those of this one did not.
     bool is_shard = false;
+    FreshCounts fresh;
     bool is_complete = true;  // else there are cases to come, and the file has no footer
   };
   // Sorts, reconciles the readings, fills in the footer and puts the file in place in one step.
@@ -67,6 +79,7 @@ class ResultsWriter {
   void resume();
   void create();
   void write(std::string_view line);
+  void count(const std::string& dialect, VerdictKind kind);
 
   std::string path_;
   std::string header_;
@@ -74,6 +87,7 @@ class ResultsWriter {
   FileHandle journal_;
   LineSorter lines_;
   IdSet resumed_;
+  Standing standing_;
   std::string file_sha256_;
 };
 

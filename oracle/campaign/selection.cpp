@@ -92,12 +92,7 @@ CampaignOptions asked_in(const Json& header) try {
 }
 
 unsigned shard_of(std::string_view id, unsigned shards) {
-  Sha256 hash;
-  hash.update(id);
-  const auto digest = hash.digest();
-  std::uint64_t first = 0;
-  for (std::size_t i = 0; i < sizeof first; ++i) first = first << 8 | digest[i];
-  return static_cast<unsigned>(first % shards) + 1;
+  return static_cast<unsigned>(leading_bytes(id) % shards) + 1;
 }
 
 bool is_selected(const CampaignOptions& options, const Case& test) {

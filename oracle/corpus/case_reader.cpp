@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "oracle/corpus/corpus.hpp"
+#include "oracle/corpus/sha256.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -17,19 +20,46 @@ std::vector<std::string> ids_of(const std::vector<Case>& cases) {
   return ids;
 }
 
+// Where a name stands in the order of a seed.
+std::uint64_t place_of(std::uint64_t seed, const std::string& name) {
+  return leading_bytes(fmt::format("{} {}", seed, name));
+}
+
 }  // namespace
 
-CaseReader::CaseReader(const Corpus& corpus, Detail detail)
+CaseReader::CaseReader(const Corpus& corpus, Detail detail, std::uint64_t seed)
     : corpus_(corpus),
       detail_(detail),
+      seed_(seed),
+      order_(corpus.files().size()),
       bytes_(std::accumulate(corpus.file_bytes().begin(), corpus.file_bytes().end(),
                              std::uint64_t{0})),
       ids_([this](std::size_t file) {
         return ids_of(read_vector_file(path(file), Detail::to_run));
-      }) {}
+      }) {
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  if (seed_ == 0) return;
+  std::ranges::sort(order_, {}, [&](std::size_t file) {
+    return std::pair(place_of(seed_, corpus_.files()[file]), file);
+  });
+}
 
+// By the number of its turn.
 std::string CaseReader::path(std::size_t file) const {
-  return corpus_.folder() + "/" + corpus_.files()[file];
+  return corpus_.folder() + "/" + corpus_.files()[order_[file]];
+}
+
+// A group stays together: its cases share a profile, which a subject is told once.
+void CaseReader::shuffle() {
+  if (seed_ == 0) return;
+  using Place = std::tuple<std::uint64_t, std::string, std::uint64_t, std::string>;
+  std::map<Place, Case> placed;
+  for (Case& test : cases_) {
+    Place place(place_of(seed_, test.group), test.group, place_of(seed_, test.id), test.id);
+    placed.emplace(std::move(place), std::move(test));
+  }
+  cases_.clear();
+  for (auto& [place, test] : placed) cases_.push_back(std::move(test));
 }
 
 // Only now that an id is met again is it worth the time to look where it stood first.
@@ -39,7 +69,7 @@ void CaseReader::refuse_again(const std::string& id) const {
     const std::vector<Case> others = read_vector_file(path(file), Detail::to_run);
     if (std::ranges::find(others, id, &Case::id) == others.end()) continue;
     throw CorpusError(
-        fmt::format("{}: The id {} stands in {} too.", here, id, corpus_.files()[file]));
+        fmt::format("{}: The id {} stands in {} too.", here, id, corpus_.files()[order_[file]]));
   }
 }
 
@@ -49,9 +79,10 @@ std::optional<Case> CaseReader::next() {
     cases_.clear();
     next_ = 0;
     if (files_read_ == corpus_.files().size()) return std::nullopt;
-    present_bytes_ = corpus_.file_bytes()[files_read_];
+    present_bytes_ = corpus_.file_bytes()[order_[files_read_]];
     cases_ = read_vector_file(path(files_read_++), detail_);
     if (const auto again = ids_.add(ids_of(cases_))) refuse_again(*again);
+    shuffle();
   }
   Case& test = cases_[next_++];
   if (corpus_.retired().contains(test.id)) {

@@ -114,8 +114,9 @@ enum class Detail { whole, to_run };
 // Gives the cases of a corpus out one after the other, one file in memory at a time.
 class CaseReader {
  public:
-  // The corpus must outlive the reader.
-  explicit CaseReader(const Corpus& corpus, Detail detail = Detail::whole);
+  // The corpus must outlive the reader. `seed`: files, in each its groups, in each its cases come
+  // in an order of that seed; 0: in that of their names and ids.
+  explicit CaseReader(const Corpus& corpus, Detail detail = Detail::whole, std::uint64_t seed = 0);
   CaseReader(const CaseReader&) = delete;
   CaseReader& operator=(const CaseReader&) = delete;
   // Nothing after the last. Throws CorpusError, also for an id that stands in two files or is
@@ -126,10 +127,13 @@ class CaseReader {
 
  private:
   std::string path(std::size_t file) const;
+  void shuffle();
   void refuse_again(const std::string& id) const;
 
   const Corpus& corpus_;
   Detail detail_;
+  std::uint64_t seed_;
+  std::vector<std::size_t> order_;  // of the files
   std::uint64_t bytes_ = 0;         // of all files
   std::uint64_t bytes_before_ = 0;  // of the files before the present one
   std::uint64_t present_bytes_ = 0;

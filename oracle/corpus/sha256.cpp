@@ -27,4 +27,13 @@ std::string Sha256::hex() {
   return text;
 }
 
+std::uint64_t leading_bytes(std::string_view text) {
+  Sha256 hash;
+  hash.update(text);
+  const auto digest = hash.digest();
+  std::uint64_t first = 0;
+  for (std::size_t i = 0; i < sizeof first; ++i) first = first << 8 | digest[i];
+  return first;
+}
+
 }  // namespace gonogo::oracle

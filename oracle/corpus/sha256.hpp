@@ -24,4 +24,7 @@ class Sha256 {
   sha256_ctx context_;
 };
 
+// The first 8 bytes of the hash of a text, as a number.
+std::uint64_t leading_bytes(std::string_view text);
+
 }  // namespace gonogo::oracle

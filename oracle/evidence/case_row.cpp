@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/evidence/case_row.hpp"
 
+#include "oracle/records/fresh_counts.hpp"
 #include "oracle/records/point_text.hpp"
 #include "oracle/report/case_detail.hpp"
 #include "oracle/report/command.hpp"
@@ -65,8 +66,9 @@ CaseRow case_row(const CaseHead& line) {
   return facts;
 }
 
-std::string again_words(const CaseRow& facts) {
-  const std::string own = report::shell_word(facts.id);
+std::string again_command(const Json& header, const CaseRow& facts) {
+  const report::CaseOf of = is_fresh(facts.id) ? report::CaseOf::fresh : report::CaseOf::corpus;
+  const std::string own = report::command_for_case(header, of) + report::shell_word(facts.id);
   if (facts.against.empty()) return own;
   return own + " --case " + report::shell_word(facts.against);
 }

@@ -36,7 +36,7 @@ CaseRow case_row(const Json& line);
 // What the head of a line says: all there is to say of a pass or a skip.
 CaseRow case_row(const CaseHead& line);
 
-// The ids, shell words behind `--case`, that show the case again.
-std::string again_words(const CaseRow& facts);
+// The command that shows the case again; `header` is that of its results.
+std::string again_command(const Json& header, const CaseRow& facts);
 
 }  // namespace gonogo::oracle::evidence

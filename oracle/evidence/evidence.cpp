@@ -67,7 +67,6 @@ class Writers {
         sarif_(folder / "results.sarif", reader.header()),
         markdown_(reader.header()),
         programs_(folder / "programs"),
-        command_(report::command_for_case(reader.header())),
         page_(folder, reader.header()),
         corpus_(std::move(programs)) {
     for (const auto& [key, cause] : causes.of) summary_.set_cause(key, cause);
@@ -117,7 +116,7 @@ class Writers {
     if (const auto found = corpus_.find(row.id); found != corpus_.end()) {
       row.comment = found->second.comment;
     }
-    row.next = command_ + again_words(row);
+    row.next = again_command(reader_.header(), row);
     const bool is_smallest = summary_.findings().is_smallest();
     markdown_.add(row, finding_, is_smallest);
     if (finding_ != nullptr) row.cause = finding_->cause.text();
@@ -136,7 +135,6 @@ class Writers {
   SarifWriter sarif_;
   MarkdownSummary markdown_;
   ProgramFolder programs_;
-  std::string command_;  // up to the case
   report::HtmlPage page_;
   report::Summary summary_;
   std::map<std::string, report::CorpusCase> corpus_;  // as far as there is room

@@ -38,7 +38,7 @@ RunState run_state(const report::Summary& summary, const Json& header, const Jso
   state.footer = *footer;
   state.decision = text_of(*footer, "decision");
   if (state.decision.empty()) state.decision = text_of(state.summary["headline"], "decision");
-  state.head = summary.scope().head(state.decision) + conditions_of(header).text();
+  state.head = summary.scope().head(state.decision) + conditions_of(header, *footer).text();
   return state;
 }
 

@@ -92,7 +92,7 @@ std::string message(const CaseRow& facts) {
   return text;
 }
 
-Json properties(const CaseRow& facts, const std::string& command) {
+Json properties(const Json& header, const CaseRow& facts) {
   Json bag = {{"case", facts.id},
               {"dialect", facts.dialect},
               {"cycle", facts.cycle},
@@ -112,7 +112,7 @@ Json properties(const CaseRow& facts, const std::string& command) {
     bag["deviation"] = {{"exact", facts.deviation_exact}, {"mm", facts.deviation_mm}};
   }
   put("reading", facts.reading);
-  bag["command"] = command + again_words(facts);
+  bag["command"] = again_command(header, facts);
   return bag;
 }
 
@@ -142,7 +142,7 @@ std::string_view address_of_pages() {
 
 SarifWriter::SarifWriter(const std::filesystem::path& path, const Json& header,
                          std::string_view address)
-    : out_(path), header_(header), command_(report::command_for_case(header)), address_(address) {
+    : out_(path), header_(header), address_(address) {
   // The results come first, so that they need not be kept until the rules are known.
   out_.write(R"({"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0",)"
              "\n\"runs\":[{\"results\":[");
@@ -171,7 +171,7 @@ Json SarifWriter::result(const CaseRow& facts, const Finding* finding) {
     result["suppressions"] = Json::array(
         {{{"kind", "external"}, {"status", "accepted"}, {"justification", facts.known}}});
   }
-  result["properties"] = properties(facts, command_);
+  result["properties"] = properties(header_, facts);
   if (finding != nullptr) {
     result["properties"]["finding"] = finding->text();
     if (!finding->cause.empty()) result["properties"]["cause"] = finding->cause.text();

@@ -16,13 +16,14 @@
 
 namespace gonogo::oracle::evidence {
 
-// Where the files of the repository can be read, as the build was told (GONOGO_ADDRESS); empty: nowhere.
+// Where the files of the repository can be read, as the build was told (GONOGO_ADDRESS); empty:
+// nowhere.
 std::string_view address_of_pages();
 
 class SarifWriter {
  public:
-  // `address`: tool and rules link there; empty: informationUri and helpUri, which have to be absolute
-  // addresses, are left out. Throws std::system_error, as all others.
+  // `address`: tool and rules link there; empty: informationUri and helpUri, which have to be
+  // absolute addresses, are left out. Throws std::system_error, as all others.
   SarifWriter(const std::filesystem::path& path, const Json& header,
               std::string_view address = address_of_pages());
   // `finding`: what the case belongs to; null: none.
@@ -37,7 +38,6 @@ class SarifWriter {
 
   OutputFile out_;
   Json header_;
-  std::string command_;
   std::string address_;
   bool any_ = false;
   std::map<std::string, std::size_t> indices_;  // rule -> place

@@ -10,6 +10,7 @@
 #include "oracle/evidence/run_state.hpp"
 #include "oracle/evidence/text.hpp"
 #include "oracle/evidence/verdict_meaning.hpp"
+#include "oracle/records/fresh_counts.hpp"
 #include "oracle/report/case_paths.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -83,13 +84,13 @@ Json statement_json(const Json& header, const RunState& state, const Json& waive
                     const Json& findings, const std::vector<std::string>& files,
                     const TraceFiles& traces) {
   Json root = {{"format", 1}, {"decision", state.decision}, {"head", state.head}};
-  for (const char* key : {"subject", "gonogo", "gauge", "corpus", "profile", "readings",
-                          "machine", "tolerance", "chord", "feed_resolution", "blend", "strict", "sandbox", "capped", "selection",
-                          "known_failures", "alarm_map", "seed", "shard"}) {
+  for (const char* key : {"subject", "gonogo", "gauge", "corpus", "profile", "readings", "machine",
+                          "tolerance", "chord", "feed_resolution", "blend", "strict", "sandbox",
+                          "capped", "selection", "known_failures", "alarm_map", "seed", "shard"}) {
     if (header.contains(key)) root[key] = header[key];
   }
   for (const char* key : {"cases", "judged", "left_out", "totals", "assignments", "coordinates",
-                          "stale", "unused_alarms"}) {
+                          "stale", "unused_alarms", "fresh"}) {
     if (state.footer.contains(key)) root[key] = state.footer[key];
   }
   const Json& scope = state.summary["scope"];
@@ -126,6 +127,18 @@ std::string gauge_text(const Json& header) {
   if (!commit.empty()) text += ", commit " + markdown_code(commit);
   if (!sha256.empty()) text += ", SHA-256 of the program " + markdown_code(sha256);
   return text;
+}
+
+// "4,912 of gsk988ta judged (5,000 asked, 6,984 wanted)"
+std::string fresh_text(const Json& footer) {
+  if (!footer.contains("fresh")) return {};
+  std::string text;
+  for (const auto& [dialect, count] : fresh_from_json(footer["fresh"])) {
+    text += fmt::format("{}{} of {} judged ({} asked, {} wanted)", text.empty() ? "" : "; ",
+                        grouped(count.judged), markdown_text(dialect), grouped(count.programs),
+                        grouped(count.wanted));
+  }
+  return text.empty() ? "none asked" : text;
 }
 
 std::string facts_of_run(const Json& header, const RunState& state) {
@@ -166,6 +179,8 @@ std::string facts_of_run(const Json& header, const RunState& state) {
   if (header.contains("selection")) {
     put("Cases asked for", markdown_code(dump(header["selection"])));
   }
+  put("Fresh programs", fresh_text(state.footer));
+  put("Seed of the order and of the fresh programs", dump(header.value("seed", Json(0))));
   put("Shard", markdown_text(text_of(header, "shard")));
   put("SHA-256 of the case lines", markdown_code(text_of(state.footer, "sha256")));
   return text;

@@ -22,7 +22,9 @@
 #include "oracle/evidence/verify_cases.hpp"
 #include "oracle/evidence/verify_header.hpp"
 #include "oracle/evidence/verify_sums.hpp"
+#include "oracle/records/fresh_counts.hpp"
 #include "oracle/report/case_paths.hpp"
+#include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -68,7 +70,8 @@ ResultsFacts read_results(const std::string& path) {
     throw ResultsError(fmt::format("{} has no footer: it is incomplete.", path));
   }
   facts.footer = *reader.footer();
-  facts.answer = tally.finish(texts_in(facts.footer, "stale"), conditions_of(facts.header));
+  facts.answer =
+      tally.finish(texts_in(facts.footer, "stale"), conditions_of(facts.header, facts.footer));
   return facts;
 }
 
@@ -88,6 +91,10 @@ void check_footer(const ResultsFacts& facts, Findings& findings) {
             coordinates_json(facts.answer.coordinates));
   }
   compare("decision", footer.value("decision", Json(nullptr)), Json(facts.answer.decision));
+  const auto asked = report::option_values(facts.header.value("argv", Json()), "--fresh");
+  if (!asked.empty() && asked.back() == "0") {
+    compare("fresh programs", footer.value("fresh", Json::object()), Json::object());
+  }
   if (footer.contains("head"))
     compare("head", footer.value("head", Json(nullptr)), Json(facts.answer.head));
   findings.add_list(faults,
@@ -173,12 +180,12 @@ void check_run_files(const fs::path& folder, const ResultsFacts& facts, Findings
       faults.push_back(fmt::format("{} has other {} than the header.", own.string(), key));
     }
   }
-  findings.add_list(faults, "Waivers, alarm map and what the subject declares are those of the run.");
+  findings.add_list(faults,
+                    "Waivers, alarm map and what the subject declares are those of the run.");
 }
 
 // The corpus that is here, when it is that of the run.
-std::optional<Corpus> corpus_of(const std::string& folder, const Json& header,
-                                Findings& findings) {
+std::optional<Corpus> corpus_of(const std::string& folder, const Json& header, Findings& findings) {
   const Json told = header.value("corpus", Json::object());
   const std::string version = text_of(told, "version");
   const auto unchecked = [&](const std::string& why) {
@@ -195,11 +202,11 @@ std::optional<Corpus> corpus_of(const std::string& folder, const Json& header,
       return corpus;
     }
     if (is_same || corpus.version() == version) {
-      findings.add(Result::fails,
-                   fmt::format("The corpus {} here has the version {} and the SHA-256 {}, that of "
-                               "the run {} and {}.",
-                               folder, corpus.version(), corpus.sha256(), version,
-                               text_of(told, "sha256")));
+      findings.add(
+          Result::fails,
+          fmt::format("The corpus {} here has the version {} and the SHA-256 {}, that of "
+                      "the run {} and {}.",
+                      folder, corpus.version(), corpus.sha256(), version, text_of(told, "sha256")));
       return std::nullopt;
     }
     return unchecked(fmt::format("here is {}.", corpus.version()));
@@ -225,8 +232,7 @@ bool tells_unused_alarms(const ResultsFacts& facts) {
   const auto argv = facts.header.value("argv", std::vector<std::string>());
   const bool is_run = !argv.empty() && argv.front() == "certify" &&
                       std::ranges::find(argv, "--fail-fast") == argv.end();
-  return is_run && !text_of(facts.header, "alarm_map").empty() &&
-         !asked_in(facts.header).is_part();
+  return is_run && !text_of(facts.header, "alarm_map").empty() && !asked_in(facts.header).is_part();
 }
 
 // What the footer has to say of entries of the subject's files that are no longer true.
@@ -257,8 +263,7 @@ void check_cases(const fs::path& folder, const std::optional<Corpus>& corpus,
   }
   KnownFailures known(waivers);
   CaseRoll roll(
-      *corpus, facts.header,
-      [&](const Case& test, const Json& line) { verdicts.take(line, &test); },
+      *corpus, facts.header, [&](const Case* test, const Json& line) { verdicts.take(line, test); },
       [&](const std::string& id) { known.note_case(id); });
   for (CaseHead head; reader.next(head);) roll.take(head, reader.text());
   roll.finish();
@@ -307,6 +312,7 @@ std::vector<Check> same_cases(const std::string& certified, const std::string& r
                                    report::dump(changed.before), report::dump(changed.after)));
     }
     for (const std::string& id : comparison.first_gone) {
+      if (is_fresh(id)) continue;  // is derived from its line, and only the corpus is run again
       faults.push_back(fmt::format("{} was certified, but was not run again.", id));
     }
     for (const std::string& id : comparison.first_added) {

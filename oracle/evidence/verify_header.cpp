@@ -83,8 +83,8 @@ class HeaderCheck {
         told = {one};
       }
       const std::vector<std::string> asked = option_values(argv_, list.option);
-      const bool narrows = list.key == std::string_view("dialects") &&
-                           option_values(argv_, "--subject").empty();
+      const bool narrows =
+          list.key == std::string_view("dialects") && option_values(argv_, "--subject").empty();
       need(list.option, asked == told || (narrows && asked.empty()), Json(told));
     }
   }
@@ -95,9 +95,12 @@ class HeaderCheck {
     const std::vector<std::string> shard = option_values(argv_, "--shard");
     const std::string told = text_of(header_, "shard");
     need("--shard", told == (shard.empty() ? "1/1" : shard.back()), Json(told));
+    const std::vector<std::string> seed = option_values(argv_, "--seed");
+    const Json drawn = header_.value("seed", Json(0));
+    need("--seed", seed.empty() || seed.back() == report::dump(drawn), drawn);
     const Json strict = header_.value("strict", Json(false));
-    need("--strict", (std::ranges::find(argv_, Json("--strict")) != argv_.end()) == (strict == true),
-         strict);
+    need("--strict",
+         (std::ranges::find(argv_, Json("--strict")) != argv_.end()) == (strict == true), strict);
     const std::vector<std::string> sandbox = option_values(argv_, "--sandbox");
     const std::string sandboxed = text_of(header_, "sandbox");
     const bool may_be = sandbox.empty() || sandbox.back() == "auto" || sandboxed.empty() ||

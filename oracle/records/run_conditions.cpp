@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "oracle/records/run_scope.hpp"
 #include "reference/descriptor.hpp"
 #include "reference/dialect.hpp"
 
@@ -94,12 +95,18 @@ std::string cycles_with_m_functions(const Json& header) {
 }  // namespace
 
 // J-RUN-01.
-RunConditions conditions_of(const Json& header) {
+RunConditions conditions_of(const Json& header, const Json& footer) {
   RunConditions conditions;
   if (!header.is_object()) return conditions;
   add_grants(header, conditions.granted);
   conditions.strict = header.value("strict", Json(false)) == true;
   conditions.sandbox = text_in(header, "sandbox");
+  if (const Json seed = header.value("seed", Json()); seed.is_number_unsigned()) {
+    conditions.seed = seed.get<std::uint64_t>();
+  }
+  if (footer.is_object() && footer.contains("fresh")) {
+    conditions.fresh = fresh_from_json(footer["fresh"]);
+  }
   add_part(header, conditions.part);
   const Json features = header.value("/subject/features"_json_pointer, Json());
   const auto lacks = [&](const char* feature) {
@@ -124,6 +131,11 @@ std::string RunConditions::text() const {
   put("not compared", lacking);
   if (strict) text += "; strict";
   if (!sandbox.empty()) text += "; sandbox: " + sandbox;
+  if (fresh) {
+    const std::size_t judged = fresh_judged(*fresh);
+    text += "; fresh programs: " + (judged == 0 ? "none" : grouped(judged));
+  }
+  if (seed != 0) text += fmt::format("; seed {}", seed);
   return text;
 }
 

@@ -3,9 +3,13 @@
 // What lies between a run and one of a whole corpus under the subject's own numbers.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "oracle/records/fresh_counts.hpp"
 
 namespace gonogo::oracle {
 
@@ -18,7 +22,9 @@ struct RunConditions {
   };
   std::vector<NotCompared> not_compared;
   bool strict = false;
-  std::string sandbox;  // of a subject that is a process: "bubblewrap", "none"
+  std::string sandbox;               // of a subject that is a process: "bubblewrap", "none"
+  std::uint64_t seed = 0;            // of the order of the cases; 0: there is none
+  std::optional<FreshCounts> fresh;  // programs beside the cases; nothing: the footer does not say
 
   // None, or strictness alone, which grants nothing.
   bool are_none() const { return granted.empty() && part.empty() && not_compared.empty(); }
@@ -28,7 +34,8 @@ struct RunConditions {
   std::string short_text() const;
 };
 
-// For the header of a results file.
-RunConditions conditions_of(const nlohmann::ordered_json& header);
+// For the header of a results file, and its footer where there is one.
+RunConditions conditions_of(const nlohmann::ordered_json& header,
+                            const nlohmann::ordered_json& footer = {});
 
 }  // namespace gonogo::oracle

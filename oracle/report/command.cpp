@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/report/command.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
 
+#include "oracle/records/fresh_counts.hpp"
 #include "oracle/report/json_value.hpp"
 
 namespace gonogo::oracle::report {
@@ -15,9 +18,9 @@ namespace {
 
 // What a verdict depends on, besides the subject and the case.
 constexpr std::array<std::string_view, 13> kKept = {
-    "--corpus",          "--profile", "--reading", "--tolerance", "--chord",
-    "--feed-resolution", "--timeout", "--memory",  "--alarm-map", "--known-failures",
-    "--env",             "--sandbox", "--bind"};
+    "--corpus",  "--profile", "--reading",   "--tolerance",      "--chord", "--feed-resolution",
+    "--timeout", "--memory",  "--alarm-map", "--known-failures", "--env",   "--sandbox",
+    "--bind"};
 
 bool is_plain_in_shell(char c) {
   constexpr std::string_view kPlain = "_@%+=:,./-";
@@ -68,7 +71,7 @@ std::string program_word() {
   return "gonogo";
 }
 
-std::string command_for_case(const Json& header) {
+std::string command_for_case(const Json& header, CaseOf of) {
   const Json subject = header.value("subject", Json::object());
   std::string command =
       program_word() + " certify --subject " + shell_word(text_of(subject, "spec"));
@@ -79,6 +82,11 @@ std::string command_for_case(const Json& header) {
   };
   const Json argv = header.value("argv", Json::array());
   for (std::string_view option : kKept) {
+    if (of == CaseOf::fresh && option == "--corpus") {
+      const std::vector<std::string> report = option_values(argv, "--report");
+      add(option, fmt::format("{}/{}", report.empty() ? "report" : report.back(), kFreshRoom));
+      continue;
+    }
     const std::vector<std::string> values = option_values(argv, option);
     for (const std::string& value : values) add(option, value);
     // A merged run has another command line; what the header says of itself still holds.

@@ -21,7 +21,8 @@ std::string program_word();
 
 // "gonogo certify --subject S --profile F ... --case ", to which a case id (a shell word) is added:
 // the subject and the options of the run that a verdict depends on. `header` is that of the
-// results file.
-std::string command_for_case(const nlohmann::ordered_json& header);
+// results file. A fresh program is a case of the corpus that the run left beside its report.
+enum class CaseOf { corpus, fresh };
+std::string command_for_case(const nlohmann::ordered_json& header, CaseOf of = CaseOf::corpus);
 
 }  // namespace gonogo::oracle::report

@@ -235,7 +235,7 @@ Json Summary::headline(const Json& header, const Json* footer, std::uint64_t bad
                          : undecided       ? "UNDECIDED"
                          : reasons.empty() ? "GO"
                                            : "INCOMPLETE";
-  const RunConditions conditions = conditions_of(header);
+  const RunConditions conditions = conditions_of(header, footer == nullptr ? Json() : *footer);
   return {{"decision", decision},
           {"head", scope_.head(decision) + conditions.text()},
           {"short", conditions.short_text().empty()
@@ -340,7 +340,8 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
           {"findings", findings_json(findings_)},
           {"scope", scope_json(scope_)},
           {"notChecked", not_checked(header)},
-          {"command", command_for_case(header)}};
+          {"command", command_for_case(header)},
+          {"freshCommand", command_for_case(header, CaseOf::fresh)}};
 }
 
 }  // namespace gonogo::oracle::report

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "oracle/records/text.hpp"
+#include "oracle/subjects/farewell.hpp"
 #include "oracle/subjects/library_file.hpp"
 #include "oracle/subjects/library_host.hpp"
 #include "oracle/subjects/process.hpp"
@@ -20,7 +21,7 @@ std::string host_command(const std::string& program, const std::string& options,
 }
 
 // The subject behind the pipe, with the library's name in what is said of it.
-class LibrarySubject : public Subject {
+class LibrarySubject : public Subject, public Farewell {
  public:
   LibrarySubject(const std::string& path, const Limits& limits, const std::string& program)
       : name_(std::filesystem::path(path).filename().string()),
@@ -32,6 +33,8 @@ class LibrarySubject : public Subject {
     pipe_->announce(id, program);
   }
   void renew() override { pipe_->renew(); }
+  // It may be `destroy` that aborts.
+  std::optional<RunEnd> finish() override { return oracle::finish(*pipe_); }
   void set_run_limit(std::chrono::milliseconds limit) override { pipe_->set_run_limit(limit); }
   bool keeps_state() const override { return pipe_->keeps_state(); }
 

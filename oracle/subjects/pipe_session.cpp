@@ -270,15 +270,15 @@ std::optional<RunEnd> PipeSession::deliver(const PipeReply& reply, const RecordS
   return end;
 }
 
-void PipeSession::stop() {
-  if (!usable_) return;
+Ending PipeSession::stop() {
+  if (!usable_) return {};
   process_.send("{\"cmd\":\"stop\"}\n");
   process_.end_input();
   process_.arm(kFarewell);
   LineBuffer ignored(0);
   process_.pump_to_end(ignored, drop);
   usable_ = false;
-  process_.kill();
+  return process_.kill();
 }
 
 }  // namespace gonogo::oracle

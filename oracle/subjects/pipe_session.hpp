@@ -35,7 +35,7 @@ class PipeSession {
   void set_run_limit(std::chrono::milliseconds limit) { limits_.run = limit; }
 
   // Asks the subject to go, and waits a little for it.
-  void stop();
+  Ending stop();
 
   bool usable() const { return usable_; }
   // Whether records of the last run came.

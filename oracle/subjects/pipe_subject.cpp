@@ -10,12 +10,13 @@
 
 #include "oracle/records/text.hpp"
 #include "oracle/subjects/configuration.hpp"
+#include "oracle/subjects/farewell.hpp"
 #include "oracle/subjects/pipe_session.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
-class PipeSubject : public Subject {
+class PipeSubject : public Subject, public Farewell {
  public:
   PipeSubject(const std::string& command, const Limits& limits)
       : command_(command), limits_(limits) {
@@ -94,6 +95,18 @@ class PipeSubject : public Subject {
     clear_suspects();
     failures_ = 0;
     given_up_ = false;
+  }
+
+  std::optional<RunEnd> finish() override {
+    if (!session_ || session_->open_runs() > 0) return std::nullopt;
+    const Ending ending = session_->stop();
+    const std::string notes = session_->take_notes();
+    session_.reset();
+    if (!ending.broke_down()) return std::nullopt;
+    RunEnd end = RunEnd::of(RunEnd::Kind::crash,
+                            fmt::format("The subject {} when it was told to stop.", ending.text()));
+    end.notes = notes;
+    return end;
   }
 
   void set_run_limit(std::chrono::milliseconds limit) override {

@@ -43,6 +43,8 @@ struct Ending {
   bool by_itself = false;  // false: it was killed here
   int code = 0;
   int signal = 0;
+  // By a signal, or with what a shell and a sandbox make of one.
+  bool broke_down() const { return by_itself && (signal != 0 || code > 128); }
   std::string text() const;  // "exited with 7", "exited with 134, signal 6 (Aborted)"
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <string_view>
 
 #include "reference/exact/enclosure.hpp"
 #include "reference/exact/number.hpp"
@@ -134,7 +135,8 @@ Number on_grid(const Number& value, bool up) {
 std::array<std::string, 2> enclosure_text(const Number& value) {
   auto [low, high] = value.bounds(kEnclosureBits);
   for (Number* end : {&low, &high}) {
-    const bool exact_end = enclosure_node(value)->operation == Operation::between &&
+    const EnclosureNode* node = enclosure_node(value);
+    const bool exact_end = node != nullptr && node->operation == Operation::between &&
                            terminating_places(rational_of(*end)).has_value();
     if (!exact_end) *end = on_grid(*end, end == &high);
   }
@@ -147,40 +149,35 @@ mpz_class rounded(const mpq_class& value) {
   return sgn(value) < 0 ? ceil_of(mpq_class(value - half)) : floor_of(mpq_class(value + half));
 }
 
-void append_quoted(std::string& out, const std::string& text) {
-  out.append(1, '"').append(text).append(1, '"');
+// {"key":["1","2"]}
+template <std::size_t Count>
+void append_object(std::string& out, std::string_view key,
+                   const std::array<std::string, Count>& texts) {
+  out.append("{\"").append(key).append("\":[");
+  for (std::size_t i = 0; i < Count; ++i) {
+    out.append(i == 0 ? "\"" : ",\"").append(texts[i]).append(1, '"');
+  }
+  out += "]}";
 }
 
 }  // namespace
 
 void Number::append_json(std::string& out) const {
-  switch (form()) {
-    case Form::rational:
-      out += '"';
-      append_rational(out, *this);
-      out += '"';
-      return;
-    case Form::root: {
-      const auto [a, b, c] = root_parts();
-      out += "{\"root\":[";
-      append_quoted(out, rational_text(a));
-      out += ',';
-      append_quoted(out, rational_text(b));
-      out += ',';
-      append_quoted(out, rational_text(c));
-      out += "]}";
-      return;
-    }
-    case Form::enclosure: {
-      const auto [low, high] = enclosure_text(*this);
-      out += "{\"enclosure\":[";
-      append_quoted(out, low);
-      out += ',';
-      append_quoted(out, high);
-      out += "]}";
-      return;
-    }
+  const auto fits = [](const std::string& text) { return text.size() <= kMostCharacters; };
+  if (form() == Form::rational) {
+    const std::size_t begin = out.size();
+    out += '"';
+    append_rational(out, *this);
+    out += '"';
+    if (out.size() - begin - 2 <= kMostCharacters) return;
+    out.resize(begin);
+  } else if (form() == Form::root) {
+    const auto [a, b, c] = root_parts();
+    const std::array<std::string, 3> parts = {rational_text(a), rational_text(b), rational_text(c)};
+    if (std::ranges::all_of(parts, fits)) return append_object(out, "root", parts);
   }
+  // Nor can an exact value be written that nobody may read.
+  append_object(out, "enclosure", enclosure_text(*this));
 }
 
 std::string Number::text() const {

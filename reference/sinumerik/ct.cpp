@@ -4,12 +4,18 @@
 #include <cstdlib>
 
 #include "reference/exact/radians.hpp"
+#include "reference/exact/size.hpp"
 #include "reference/sinumerik/machine.hpp"
 
 namespace gonogo::reference::sinumerik {
 namespace {
 
 constexpr ClauseId kBefore = "SIE-CT-02"_clause;
+
+// Each tangent arc has more digits than the one before, and one that is only enclosed more
+// operations: what a chain of them costs would grow with the square or the cube of its length.
+constexpr std::size_t kLongestTangent = 16'384;  // bits of a component
+constexpr std::size_t kDeepestTangent = 1'000;   // operations
 
 void refuse(BlockContext& block, ClauseId clause, std::string message) {
   for (const Axis axis : {block.plane_axes().p, block.plane_axes().q}) {
@@ -67,6 +73,11 @@ Vector_2 direction_in_plane(const LastMotion& last, const PlaneAxes& axes) {
   return geometry::vector_in(axes, climbs ? whole_direction(last) : last.direction);
 }
 
+bool is_kept(const Number& component) {
+  const exact::Size size = exact::size_of(component);
+  return size.bits <= kLongestTangent && size.depth <= kDeepestTangent;
+}
+
 // SIE-CT-01: from the start to the centre, on the left where that is positive: square to the
 // tangent there, and as far from the end, so that o.o = (chord - o).(chord - o). CGAL's
 // intersection of that normal with the chord's bisector would ask whether an enclosure is 1.
@@ -100,6 +111,9 @@ void run_tangent(BlockContext& block) {
     throw exact::Undecided("exact: which way the motion before goes");
   }
   const Vector_2 tangent = direction_in_plane(*last, axes);
+  if (!is_kept(tangent.x()) || !is_kept(tangent.y())) {
+    throw exact::Undecided("exact: a direction of more digits than the gauge keeps");
+  }
   if (!any_nonzero({tangent.x(), tangent.y()})) {
     return refuse(block, kBefore, "The motion before stands upright on the plane.");
   }

@@ -205,7 +205,8 @@ function programBox(data) {
 const quoted = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
 // What contradicts another case is seen beside it.
-const commandLine = (ids) => summary.command + ids.map(quoted).join(' --case ');
+const isFresh = (id) => id.startsWith('fresh.');
+const commandLine = (ids) => (isFresh(ids[0]) ? summary.freshCommand : summary.command) + ids.map(quoted).join(' --case ');
 
 function commandBox(ids) {
   const pre = el('pre', { id: 'command', tabindex: 0 }, commandLine(ids));

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "campaign_testing.hpp"
+#include "oracle/campaign/results_reader.hpp"
 #include "oracle/campaign/selection.hpp"
 
 namespace gonogo::oracle {
@@ -170,9 +172,12 @@ TEST(Campaign, ASubjectThatSkipsAllButOneIsGoForNoFeature) {
   write_corpus(scratch, 10);
   const std::string footer =
       results_of(scratch, "r", options_of(1), fake_maker(skipping_all_but("t.000003", "g90")));
-  EXPECT_NE(footer.find("\"head\":\"GO: 1 judged; not claimed: 9 cases; not judged for the most "
-                        "part: basic (1 of 10 cases); not compared: M functions, source lines\""),
-            std::string::npos)
+  EXPECT_NE(
+      footer.find(
+          "\"head\":\"GO: 1 judged; not claimed: 9 cases; not judged for the most "
+          "part: basic (1 of 10 cases); not compared: M functions, source lines; fresh programs: "
+          "none\""),
+      std::string::npos)
       << footer;
 }
 
@@ -183,7 +188,8 @@ TEST(Campaign, ASubjectThatDeclaresLittleIsAskedForNoMore) {
   little.info = declaring({{"gsk988ta", {"g94"}}});
   const std::string footer = results_of(scratch, "r", options_of(1), fake_maker(little));
   EXPECT_NE(footer.find("\"head\":\"UNDECIDED: 0 judged; not claimed: basic (10 cases); not "
-                        "compared: M functions, source lines\""),
+                        "compared: M functions, source lines; fresh programs: "
+                        "none\""),
             std::string::npos)
       << footer;
 }
@@ -388,6 +394,77 @@ TEST(Campaign, DoesNotRunWhatIsDone) {
       corpus, options, fake_maker({}), [&](const CaseResult&) { ++results; }, nullptr);
   EXPECT_EQ(results, 15U);
   EXPECT_EQ(end.cases, 20U);
+}
+
+// Ids in the order in which they were judged.
+std::vector<std::string> order_of(const Corpus& corpus, std::uint64_t seed) {
+  CampaignOptions options = options_of(1);
+  options.seed = seed;
+  std::vector<std::string> ids;
+  run_campaign(
+      corpus, options, fake_maker({}), [&](const CaseResult& result) { ids.push_back(result.id); },
+      nullptr);
+  return ids;
+}
+
+TEST(Campaign, CasesComeInTheOrderOfTheSeed) {
+  const Scratch scratch;
+  write_corpus(scratch, 40);
+  const Corpus corpus(scratch.path("corpus"));
+  const std::vector<std::string> by_id = order_of(corpus, 0);
+  EXPECT_TRUE(std::ranges::is_sorted(by_id));
+  const std::vector<std::string> five = order_of(corpus, 5);
+  EXPECT_EQ(five, order_of(corpus, 5));
+  EXPECT_NE(five, order_of(corpus, 6));
+  EXPECT_NE(five, by_id);
+  std::vector<std::string> sorted = five;
+  std::ranges::sort(sorted);
+  EXPECT_EQ(sorted, by_id);
+  // A file has ten cases of one group, "t.00000N" to "t.00003N": they stay together.
+  for (std::size_t i = 0; i < five.size(); ++i) {
+    EXPECT_EQ(five[i].substr(0, 7), five[i / 10 * 10].substr(0, 7)) << five[i];
+  }
+}
+
+TEST(Campaign, TheResultsAreNotOfTheOrder) {
+  const Scratch scratch;
+  write_corpus(scratch, 40);
+  CampaignOptions options = options_of(3);
+  FakeSubject fake;
+  fake.act = [](std::string_view id, int) -> std::optional<RunEnd> {
+    if (!id.ends_with("7")) return std::nullopt;
+    return RunEnd{};
+  };
+  const auto hash_of = [&](std::uint64_t seed) {
+    options.seed = seed;
+    results_of(scratch, "r", options, fake_maker(fake));
+    ResultsReader reader(scratch.path("r"));
+    for (CaseHead head; reader.next(head);) continue;
+    return reader.sha256();
+  };
+  const std::string by_id = hash_of(0);
+  EXPECT_EQ(hash_of(5), by_id);
+  EXPECT_EQ(hash_of(6), by_id);
+}
+
+TEST(Campaign, WhatBreaksDownBehindTheLastCaseBreaksDownInIt) {
+  const Scratch scratch;
+  write_corpus(scratch, 20);
+  const Corpus corpus(scratch.path("corpus"));
+  FakeSubject fake;
+  fake.breaks_at_end = true;
+  std::vector<CaseResult> results;
+  run_campaign(
+      corpus, options_of(1), fake_maker(fake),
+      [&](const CaseResult& result) { results.push_back(result); }, nullptr);
+  ASSERT_EQ(results.size(), 20U);
+  EXPECT_EQ(results.back().verdict.kind, VerdictKind::crash);
+  EXPECT_EQ(results.back().verdict.message, "It broke down at its end.");
+  EXPECT_FALSE(results.back().program.empty());
+  results.pop_back();
+  EXPECT_TRUE(std::ranges::all_of(results, [](const CaseResult& result) {
+    return decision(result.verdict.kind) == Decision::go;
+  }));
 }
 
 TEST(Campaign, StopsAtTheFirstNoGoWhenAsked) {

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "oracle/subjects/farewell.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
@@ -74,7 +75,7 @@ void write_corpus(const Scratch& scratch, int cases) {
 
 namespace {
 
-class Fake : public Subject {
+class Fake : public Subject, public Farewell {
  public:
   explicit Fake(FakeSubject fake) : fake_(std::move(fake)) {
     if (fake_.info) info_ = *fake_.info;
@@ -87,6 +88,10 @@ class Fake : public Subject {
   const SubjectInfo& info() const override { return info_; }
   void configure(const reference::Profile& profile) override { profile_ = profile; }
   void renew() override { runs_ = 0; }
+  std::optional<RunEnd> finish() override {
+    if (!fake_.breaks_at_end) return std::nullopt;
+    return RunEnd::of(RunEnd::Kind::crash, "It broke down at its end.");
+  }
   RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) override {
     ++runs_;
     if (fake_.act) {
@@ -134,6 +139,7 @@ std::string results_of(const Scratch& scratch, const std::string& name,
                        const CampaignOptions& options, const SubjectMaker& maker) {
   const Corpus corpus(scratch.path("corpus"));
   ResultsHeader header;
+  header.seed = options.seed;
   header.shard = std::to_string(options.shard) + "/" + std::to_string(options.shards);
   ResultsWriter writer(scratch.path(name), header);
   const CampaignEnd end = run_campaign(

@@ -39,6 +39,7 @@ struct FakeSubject {
   std::int64_t microseconds = 0;        // of such a run
   // What becomes of a record of the reference; nothing: it is sent as it is.
   std::function<void(std::string_view id, reference::Record&)> alter;
+  bool breaks_at_end = false;  // behind the last run
   // What it says of itself; nothing: of everything, with source lines.
   std::optional<SubjectInfo> info;
 };

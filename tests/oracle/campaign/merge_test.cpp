@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "campaign_testing.hpp"
+#include "oracle/campaign/results_reader.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -71,6 +72,36 @@ TEST_F(Merge, IsTheResultOfAnUndividedRunByteForByte) {
   EXPECT_TRUE(outcome.written);
   EXPECT_EQ(outcome.answer.exit_code, 1);
   EXPECT_EQ(comparable(scratch_.read("merged")), comparable(scratch_.read("whole")));
+}
+
+// A fresh program belongs to no shard, and each shard asks its own.
+TEST_F(Merge, FreshProgramsOfShardsAddUp) {
+  run_shards();
+  for (unsigned shard = 1; shard <= kShards; ++shard) {
+    const std::string number = std::to_string(shard);
+    ASSERT_NO_FATAL_FAILURE(
+        replace_in("s" + number, R"("fresh":{})",
+                   R"("fresh":{"gsk988ta":{"wanted":9,"programs":)" + number + R"(,"judged":1}})"));
+  }
+  const MergeOutcome outcome = merge({"s1", "s2", "s3"});
+  EXPECT_EQ(outcome.footer.fresh, (FreshCounts{{"gsk988ta", {27, 6, 3}}}));
+  EXPECT_TRUE(outcome.answer.head.ends_with("; fresh programs: 3")) << outcome.answer.head;
+}
+
+TEST_F(Merge, ShardsOfDifferentSeedsAreOneRunWithoutASeed) {
+  const auto merged_seed = [&](std::uint64_t step) {
+    for (unsigned shard = 1; shard <= kShards; ++shard) {
+      CampaignOptions one = options();
+      one.shard = shard;
+      one.shards = kShards;
+      one.seed = 7 + step * shard;
+      results_of(scratch_, "s" + std::to_string(shard), one, fake_maker(fake_));
+    }
+    EXPECT_EQ(merge({"s1", "s2", "s3"}).answer.exit_code, 0);
+    return ResultsReader(scratch_.path("merged")).header()["seed"].get<std::uint64_t>();
+  };
+  EXPECT_EQ(merged_seed(0), 7U);
+  EXPECT_EQ(merged_seed(1), 0U);
 }
 
 // The fake sends X i (a radius) and Z 5, of every third case X off by 0.0003 and of the first by

@@ -94,12 +94,36 @@ TEST(ResultsWriter, DoesNotGoOnFromTheJournalOfAnotherRun) {
   }
 }
 
-TEST(ResultsWriter, GoesOnWhenOnlyTheCommandLineDiffers) {
+TEST(ResultsWriter, GoesOnWhenOnlyTheCommandLineAndTheOrderDiffer) {
   const Scratch scratch;
   leave_journal(scratch, "");
   ResultsHeader header = header_of("1");
   header.argv = {"certify", "--resume"};
+  header.seed = 7;
   EXPECT_EQ(ResultsWriter(scratch.path("r.jsonl"), header, Start::resume).resumed(), 1U);
+}
+
+TEST(ResultsWriter, AFreshProgramIsALineOfTheResultsAndNotOfTheJournal) {
+  const Scratch scratch;
+  ResultsWriter writer(scratch.path("r.jsonl"), header_of("1"));
+  writer.add(passed("a"));
+  writer.add(passed("g"));
+  EXPECT_EQ(writer.standing().judged, (std::map<std::string, std::size_t>{{"gsk988ta", 2}}));
+  EXPECT_EQ(writer.standing().no_go, 0U);
+  CaseResult departure = passed("fresh.gsk988ta.00000000.000001");
+  departure.verdict.kind = VerdictKind::fail_geometry;
+  writer.add_fresh(departure);
+  EXPECT_EQ(scratch.read("r.jsonl.part").find("fresh"), std::string::npos);
+  ResultsFooter footer;
+  ResultsWriter::Ending ending;
+  ending.fresh["gsk988ta"] = {2, 1, 1};
+  const RunAnswer answer = writer.close(ending, footer);
+  EXPECT_EQ(answer.decision, "NO-GO");
+  EXPECT_TRUE(answer.head.ends_with("; fresh programs: 1")) << answer.head;
+  EXPECT_EQ(ids_in(scratch.path("r.jsonl")), (std::vector<std::string>{"a", departure.id, "g"}));
+  EXPECT_NE(
+      footer_line(footer).find(R"("fresh":{"gsk988ta":{"wanted":2,"programs":1,"judged":1}})"),
+      std::string::npos);
 }
 
 TEST(ResultsWriter, ADamagedJournalIsRefused) {

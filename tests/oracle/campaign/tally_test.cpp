@@ -140,11 +140,11 @@ TEST(Tally, WhatWasGrantedStandsInTheHeadLine) {
   const auto header = nlohmann::ordered_json::parse(
       R"({"tolerance":"1000","chord":"0.1","blend":"0.2","known_failures":"ab","strict":true,)"
       R"("shard":"1/300","selection":{"only":["g*"],"case":null,"cycles":["g94"]},)"
-      R"("readings":["gsk.g94.in-mode=keep"],"subject":{"features":[]}})");
+      R"("readings":["gsk.g94.in-mode=keep"],"subject":{"features":[]},"seed":12})");
   EXPECT_EQ(tally.finish({}, conditions_of(header)).head,
             "GO for g94 of gsk988ta: 1 judged; granted: tolerance 1000 mm, chord 0.1 mm, blend 0.2 "
             "mm, known failures, reading gsk.g94.in-mode=keep; a part: shard 1/300, glob g*, cycle "
-            "g94; not compared: M functions, source lines; strict");
+            "g94; not compared: M functions, source lines; strict; seed 12");
 }
 
 // J-RUN-01. G74, G84, G86 and G33.1 of RS274/NGC turn the spindle round or stop it in the hole

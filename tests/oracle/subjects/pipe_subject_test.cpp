@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "oracle/subjects/farewell.hpp"
 #include "run_subject.hpp"
 
 namespace gonogo::oracle {
@@ -127,6 +128,19 @@ TEST(PipeSubject, AnExitInARunIsACrashWhateverItsCode) {
   EXPECT_EQ(pipe_end("exit0").kind, Kind::crash);
   EXPECT_EQ(pipe_end("half-exit").kind, Kind::crash);
   EXPECT_EQ(pipe_end("dies-in-configure").kind, Kind::crash);
+}
+
+TEST(PipeSubject, AnAbortWhereItIsToldToStopIsACrash) {
+  auto subject = fake_pipe("aborts-at-stop");
+  EXPECT_EQ(run(*subject).end.kind, Kind::ok);
+  const std::optional<RunEnd> end = finish(*subject);
+  ASSERT_TRUE(end.has_value());
+  EXPECT_EQ(end->kind, Kind::crash);
+  EXPECT_NE(end->message.find("signal 6 (Aborted) when it was told to stop"), std::string::npos)
+      << end->message;
+  auto good = fake_pipe("good");
+  EXPECT_EQ(run(*good).end.kind, Kind::ok);
+  EXPECT_FALSE(finish(*good).has_value());
 }
 
 TEST(PipeSubject, IsStartedAgainAfterACrash) {

@@ -112,6 +112,19 @@ TEST(NumberJson, WritesTheEndsOfABetweenAsTheyCame) {
   EXPECT_EQ(high, num("0.66666666666666666667"));
 }
 
+// 3^2200 has 1,050 digits, and a number has 1,000 characters at most: 1 + 3^-2200 lies between 1
+// and 1 + 1e-20.
+TEST(NumberJson, EnclosesWhatIsTooLongToBeReadBack) {
+  Number tiny(1);
+  for (int i = 0; i < 2'200; ++i) tiny = tiny / Number(3);
+  const Number close = Number(1) + tiny;
+  EXPECT_EQ(written_ends(close), (std::array<Number, 2>{1, num("1.00000000000000000001")}));
+  const auto [low, high] = written_ends(Number::root(close, 1, 2));
+  EXPECT_LT(low, Number::root(1, 1, 2));
+  EXPECT_GT(high, Number::root(1, 1, 2));
+  EXPECT_LE(high - low, num("1e-15"));
+}
+
 TEST(NumberText, IsForPeople) {
   EXPECT_EQ(num("12.5").text(), "12.5");
   EXPECT_EQ(num("11/3").text(), "11/3");

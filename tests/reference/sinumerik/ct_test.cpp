@@ -126,6 +126,39 @@ TEST(SieCt, WhatFollowsAnArcThatEndsInItsCentreIsNotDecided) {
   EXPECT_THROW(path("G0 X10\nG3 X10.001 I0.001 F9\nCT X20 Y5", programmed), exact::Undecided);
 }
 
+// How many of so many arcs behind a block are expanded before their digits are too many.
+std::size_t arcs_of_chain(std::string program, int arcs) {
+  for (int i = 1; i <= arcs; ++i) {
+    program += "\nCT X0." + std::to_string(10'007 + i * i * 31 % 80'021) + " Y0." +
+               std::to_string(10'007 + i * i * 47 % 79'999);
+  }
+  grammar::MemorySource bytes(program);
+  grammar::LineSource lines(bytes);
+  Expander expander(sie(), lines, OpenPaths::shown);
+  std::size_t count = 0;
+  try {
+    while (const Item* item = expander.next()) {
+      const auto* record = std::get_if<Record>(item);
+      if (record != nullptr && record->kind == RecordKind::arc) ++count;
+    }
+  } catch (const exact::Undecided&) {
+    return count;
+  }
+  return count;
+}
+
+// The work of a chain does not grow with its length: the digits of each arc are more than those of
+// the one before, over a square root (CR) as in what is enclosed (AR), and they end.
+TEST(SieCt, AChainEndsWhereItsDigitsAreTooMany) {
+  for (const char* first : {"G2 X10 Y1 CR=37 F9", "G2 X10 Y1 AR=37 F9", "G1 X10 Y1 F9"}) {
+    SCOPED_TRACE(first);
+    EXPECT_GE(arcs_of_chain(first, 50), 50U);
+    const std::size_t most = arcs_of_chain(first, 1'000);
+    EXPECT_LT(most, 900U);
+    EXPECT_EQ(arcs_of_chain(first, 2'000), most);
+  }
+}
+
 TEST(SieCt, WordsOfArcsConflict) {
   EXPECT_EQ(outcome("G1 X10\nCT X20 Y5 CR=5"), "conflicting-words CR");
   EXPECT_EQ(outcome("G1 X10\nCT X20 Y5 TURN=1"), "conflicting-words TURN");

@@ -286,6 +286,7 @@ int main(int count, char** arguments) {
       }
       if (mode == "exits-between") return 0;
     } else {
+      if (mode == "aborts-at-stop") std::abort();
       return 0;
     }
   }

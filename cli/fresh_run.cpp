@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/fresh_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "cli/hunt_words.hpp"
+#include "cli/output.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/trial_options.hpp"
+#include "cli/version.hpp"
+#include "hunt/fresh_programs.hpp"
+#include "hunt/known_signatures.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+using std::chrono::milliseconds;
+
+// A run takes at most a fifth longer, or ten seconds (docs/evidence.md): a departure has to be made
+// small in that time, too.
+constexpr milliseconds kLeastTime{8'000};
+constexpr int kPartOfTheRun = 6;
+// As long as a case may take that is run again: the machine may be slow.
+constexpr int kPatience = 4;
+
+using Wanted = std::map<std::string, std::size_t>;
+
+// As many as cases were judged, of a whole run that knows of no failure. A part of a run looks at
+// something else, and what is known to fail departs on others, too.
+Wanted wanted_programs(const CertifyOptions& options, const JudgedCorpus& judged,
+                       const oracle::ResultsWriter::Standing& standing) {
+  const oracle::CampaignOptions& campaign = judged.campaign;
+  const bool is_default = options.fresh < 0;
+  const bool is_whole = campaign.is_whole() && standing.known == 0 &&
+                        campaign.known_failures.empty() && options.write_known_failures.empty();
+  const bool can_be = !judged.subject.starts_with("capture:");
+  if (standing.no_go > 0 || options.fresh == 0 || (is_default && !(is_whole && can_be))) return {};
+  if (!can_be) {
+    throw UsageError("Recorded output cannot be asked other programs: leave --fresh out.");
+  }
+  Wanted wanted = standing.judged;
+  if (is_default) return wanted;
+  for (auto& [dialect, programs] : wanted) programs = static_cast<std::size_t>(options.fresh);
+  return wanted;
+}
+
+hunt::TrialOptions trial_of(const oracle::CampaignOptions& campaign) {
+  hunt::TrialOptions trial;
+  trial.tolerance = campaign.grants.tolerance;
+  trial.chord = campaign.grants.chord;
+  trial.feed_resolution = campaign.grants.feed_resolution;
+  trial.strict = campaign.grants.strict;
+  trial.alarm_map = campaign.alarm_map;
+  trial.run_limit = campaign.limits.run * kPatience;
+  return trial;
+}
+
+// What the certifier said of the machine, and what is known to fail there.
+hunt::HuntOptions hunt_of(const std::string& dialect, const JudgedCorpus& judged,
+                          const hunt::TrialOptions& trial) {
+  const oracle::CampaignOptions& campaign = judged.campaign;
+  hunt::HuntOptions options;
+  options.dialect = dialect;
+  options.seed = campaign.seed + campaign.shard - 1;
+  if (campaign.profile && campaign.profile->dialect == dialect) options.profile = campaign.profile;
+  std::vector<std::string> readings;
+  std::ranges::copy_if(campaign.readings, std::back_inserter(readings), [&](const auto& choice) {
+    return reference::find_reading(choice.substr(0, choice.find('=')))->belongs_to(dialect);
+  });
+  options.readings = readings_of(readings);
+  if (campaign.known_failures.empty()) return options;
+  hunt::Trial known(judged.maker, trial);
+  options.known = hunt::known_signatures(campaign.known_failures, judged.corpus, dialect, known);
+  return options;
+}
+
+}  // namespace
+
+oracle::FreshCounts ask_fresh_programs(const CertifyOptions& options, const JudgedCorpus& judged,
+                                       const std::string& report, oracle::ResultsWriter& results) {
+  const Wanted wanted = wanted_programs(options, judged, results.standing());
+  const std::size_t all =
+      std::accumulate(wanted.begin(), wanted.end(), std::size_t{0},
+                      [](std::size_t sum, const auto& entry) { return sum + entry.second; });
+  const milliseconds time = std::max(kLeastTime, judged.took / kPartOfTheRun);
+  const hunt::Provenance provenance{fmt::format("gonogo {}", kVersion), judged.subject,
+                                    judged.campaign.seed};
+  ProgressLine progress(judged.subject + ", fresh programs");
+  oracle::FreshCounts counts;
+  std::size_t before = 0;
+  for (const auto& [dialect, programs] : wanted) {
+    hunt::FreshOptions one;
+    one.trial = trial_of(judged.campaign);
+    one.hunt = hunt_of(dialect, judged, one.trial);
+    one.programs = programs;
+    one.time = time * programs / all;
+    one.progress = [&](std::size_t done) { progress.show(before + done, all, 0); };
+    const hunt::FreshAnswers answers = hunt::ask_fresh(
+        judged.maker, one, fmt::format("{}/{}", report, oracle::kFreshRoom), provenance);
+    counts[dialect] = answers.count;
+    before += programs;
+    if (!answers.departure) continue;
+    results.add_fresh(*answers.departure);
+    break;
+  }
+  return counts;
+}
+
+}  // namespace gonogo::cli
