@@ -36,11 +36,6 @@ const char* find_line_end(const char* first, const char* last) {
   return last;
 }
 
-std::size_t line_end(const std::string& buffer, std::size_t begin, std::size_t end) {
-  const char* const data = buffer.data();
-  return static_cast<std::size_t>(find_line_end(data + begin, data + end) - data);
-}
-
 // Calls `read` until no signal comes between.
 template <typename Read>
 std::size_t read_again(const Read& read) {
@@ -91,16 +86,42 @@ bool LineSource::fill() {
   return !at_end_;
 }
 
+// The end of the line that goes on at `from`; of the bytes, where it is not among them.
+std::size_t LineSource::find_end(std::size_t from) const {
+  const char* const first = buffer_.data() + from;
+  const char* const last = buffer_.data() + end_;
+  const char* const found =
+      cr_is_blank_ ? std::find(first, last, '\n') : find_line_end(first, last);
+  return static_cast<std::size_t>(found - buffer_.data());
+}
+
 // Drops what is left of a line that was too long, one chunk after the other.
 void LineSource::drop_line() {
   for (;;) {
-    begin_ = line_end(buffer_, begin_, end_);
+    begin_ = find_end(begin_);
     if (begin_ != end_) {
       skip_line_feed_ = buffer_[begin_++] == '\r';
       return;
     }
     if (!fill()) return;
   }
+}
+
+// Whether the line, of so many bytes, ends in one. Looks at the byte behind it.
+void LineSource::look_for_lone_cr(std::size_t size) {
+  if (has_lone_cr_ || begin_ + size == end_ || buffer_[begin_ + size] != '\r') return;
+  if (begin_ + size + 1 == end_ && !fill()) return;
+  has_lone_cr_ = buffer_[begin_ + size + 1] != '\n';
+}
+
+// The line, of so many bytes, with blanks for CR: how many bytes it has without one at its end.
+std::size_t LineSource::with_blanks(std::size_t size) {
+  if (size != 0 && buffer_[begin_ + size - 1] == '\r') --size;
+  const auto first = buffer_.begin() + static_cast<std::ptrdiff_t>(begin_);
+  const auto last = first + static_cast<std::ptrdiff_t>(size);
+  has_lone_cr_ = has_lone_cr_ || std::find(first, last, '\r') != last;
+  std::replace(first, last, '\r', ' ');
+  return size;
 }
 
 bool LineSource::next(Line& line) {
@@ -116,13 +137,15 @@ bool LineSource::next(Line& line) {
 
   std::size_t size = 0;
   for (;;) {
-    size = line_end(buffer_, begin_ + size, end_) - begin_;
+    size = find_end(begin_ + size) - begin_;
     if (begin_ + size != end_ || size > kMaximumLine || !fill()) break;
   }
   ++number_;
   line.number = number_;
   line.too_long = size > kMaximumLine;
-  line.text = std::string_view(buffer_).substr(begin_, std::min(size, kMaximumLine));
+  if (!line.too_long && !cr_is_blank_) look_for_lone_cr(size);
+  const std::size_t shown = cr_is_blank_ ? with_blanks(size) : size;
+  line.text = std::string_view(buffer_).substr(begin_, std::min(shown, kMaximumLine));
   dropping_ = line.too_long;
   begin_ += size;
   if (begin_ != end_ && !dropping_) skip_line_feed_ = buffer_[begin_++] == '\r';

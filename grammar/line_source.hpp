@@ -54,10 +54,17 @@ class LineSource {
   explicit LineSource(ByteSource& bytes);
   // False at the end of the program.
   bool next(Line& line);
+  // From now on a CR without LF is a blank and ends no line.
+  void take_cr_for_blank() { cr_is_blank_ = true; }
+  // Whether there was a CR without LF before other text.
+  bool has_lone_cr() const { return has_lone_cr_; }
 
  private:
   bool fill();
+  std::size_t find_end(std::size_t from) const;
   void drop_line();
+  void look_for_lone_cr(std::size_t size);
+  std::size_t with_blanks(std::size_t size);
 
   ByteSource& bytes_;
   std::string buffer_;
@@ -67,6 +74,8 @@ class LineSource {
   bool at_end_ = false;
   bool skip_line_feed_ = false;
   bool dropping_ = false;
+  bool cr_is_blank_ = false;
+  bool has_lone_cr_ = false;
 };
 
 }  // namespace gonogo::grammar

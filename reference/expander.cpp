@@ -25,7 +25,7 @@ Record end_record(const Position& position, ClauseId clause) {
   return end;
 }
 
-// A block behind '/' is passed over unread, so that nothing in it is wrong.
+// A block behind '/' is passed over, and nothing in it is wrong but what a reading says.
 bool is_skipped(const grammar::Line& line) {
   const std::size_t first = line.text.find_first_not_of(" \t");
   return !line.too_long && first != std::string_view::npos && line.text[first] == '/';
@@ -125,15 +125,12 @@ const Item* Expander::next() {
       return finish(end_record(interpreter_->position(), out_.end_clause));
     }
     if (!next_line()) continue;
-    if (profile_.block_skip && is_skipped(line_)) {
+    std::optional<grammar::SyntaxError> error =
+        line_.too_long ? grammar::line_too_long()
+                       : grammar::parse_block(dialect_.grammar, line_.text, block_);
+    if (profile_.block_skip && is_skipped(line_) && !(error && interpreter_->alarms_left_out())) {
       interpreter_->leave_out();
       continue;
-    }
-    std::optional<grammar::SyntaxError> error;
-    if (line_.too_long) {
-      error = grammar::line_too_long();
-    } else {
-      error = grammar::parse_block(dialect_.grammar, line_.text, block_);
     }
     if (error) {
       // A block that cannot be read yields the syntax alarm alone.

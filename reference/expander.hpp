@@ -87,6 +87,8 @@ class BlockInterpreter {
   }
   // Whether lines that came before may come again from now on.
   virtual bool may_repeat_lines() const { return false; }
+  // Whether a line behind '/' that is left out alarms; asked of one that cannot be read.
+  virtual bool alarms_left_out() const { return false; }
   // A block was left out, since blocks behind '/' are skipped.
   virtual void leave_out() {}
   // The text is at its end, and no block ended the program; `end` is the place behind the last

@@ -81,6 +81,12 @@ enum class ReadingKey : std::uint8_t {
   ngc_equal,
   ngc_sign_of_value,
   ngc_call_parameters,
+  ngc_missing_tool,
+  ngc_g94_feed,
+  ngc_feed_units,
+  ngc_block_delete,
+  ngc_lone_cr,
+  ngc_alarm_dwell,
   ngc_cycle_initial,
   ngc_cycle_g91_r,
   ngc_cycle_sticky,
@@ -118,7 +124,7 @@ enum class ReadingKey : std::uint8_t {
   sie_lcyc_unit,
   sie_lc75_r125_limit,
 };
-inline constexpr std::size_t kReadings = 98;
+inline constexpr std::size_t kReadings = 104;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }
@@ -180,6 +186,10 @@ class ReadingsInUse {
   // alternative that `expand` shows.
   bool is(ReadingKey key, std::string_view alternative) const;
   exact::Number length(ReadingKey key) const;
+  // The reading mattered, whatever it says.
+  void touch(ReadingKey key) const {
+    if (!std::exchange(touched_[index(key)], true)) ++count_;
+  }
   bool touched(ReadingKey key) const { return touched_[index(key)]; }
   std::vector<ReadingKey> touched() const;
   std::size_t touched_count() const { return count_; }
@@ -189,10 +199,6 @@ class ReadingsInUse {
   }
 
  private:
-  void touch(ReadingKey key) const {
-    if (!std::exchange(touched_[index(key)], true)) ++count_;
-  }
-
   ReadingChoice shown_;
   mutable std::array<bool, kReadings> touched_{};
   mutable std::size_t count_ = 0;

@@ -18,6 +18,7 @@ struct AlarmKind {
   static constexpr AlarmText kValueOutOfRange{"E201", "value-out-of-range"};
   static constexpr AlarmText kValueSign{"E202", "value-sign"};
   static constexpr AlarmText kNotAnInteger{"E203", "not-an-integer"};
+  static constexpr AlarmText kNoTool{"E204", "no-tool"};
   static constexpr AlarmText kAxisNotInPlane{"E301", "axis-not-in-plane"};
   static constexpr AlarmText kArcEndPoint{"E302", "arc-end-point"};
   static constexpr AlarmText kArcRadius{"E303", "arc-radius"};

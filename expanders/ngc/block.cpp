@@ -108,6 +108,7 @@ void Block::clear() {
   last_address_ = 0;
   macro_ = {};
   long_number_ = false;
+  skipped_ = false;
   motions_ = {};
 }
 
@@ -136,7 +137,8 @@ Block::Reading Block::read(std::string_view line, const Manner& manner) {
   if (line_.empty()) return Reading::kBlank;
   const std::string_view text =
       manner.faults.alters("blanks-end-numbers"_fault, std::string_view(line_), line);
-  const Reading reading = read_words(text, manner);
+  Reading reading = read_words(text, manner);
+  if (skipped_ && reading != Reading::kSyntax) reading = Reading::kSkipped;
   if (reading == Reading::kWords) settle_motion(manner);
   return reading;
 }
@@ -155,9 +157,8 @@ Block::Reading Block::read_words(std::string_view line, const Manner& manner) {
         return is_alone(line) ? Reading::kTapeMark : Reading::kSyntax;
       case Token::kSkip:
         if (position != 0 || follows_comment(line, tokens.from_token())) return Reading::kSyntax;
-        if (manner.faults.alters("block-delete-always"_fault, manner.block_delete, true)) {
-          return Reading::kSkipped;
-        }
+        skipped_ = manner.faults.alters("block-delete-always"_fault, manner.block_delete, true);
+        if (skipped_ && !manner.reads_skipped) return Reading::kSkipped;
         break;
       case Token::kWord:
         if (word.address == 'O') {

@@ -40,6 +40,7 @@ class Block {
   /// How lines are read.
   struct Manner {
     bool block_delete = false;
+    bool reads_skipped = false;
     bool forgets_g80 = false;
     const WholeNumbers& whole;
     const Faults& faults;
@@ -116,6 +117,7 @@ class Block {
   char last_address_ = 0;
   std::string_view macro_;
   bool long_number_ = false;
+  bool skipped_ = false;
   std::string line_;  // without blanks
 
   // Codes of the motion group, G80 apart.

@@ -43,6 +43,12 @@ struct Configuration {
   Option needs_no_end = 0;        ///< ngc.program-end
   Option motion_needs_axis = 0;   ///< ngc.bare-motion
   Option arc_needs_axis = 0;      ///< ngc.arc-words-alone
+  Option looks_for_tools = 0;     ///< ngc.missing-tool
+  Option g94_ends_feed = 0;       ///< ngc.g94-feed
+  Option feed_in_new_units = 0;   ///< ngc.feed-units
+  Option reads_skipped = 0;       ///< ngc.block-delete
+  Option cr_is_blank = 0;         ///< ngc.lone-cr
+  Option dwells_first = 0;        ///< ngc.alarm-dwell
   // of the hole cycles
   Option initial_of_block = 0;      ///< ngc.cycle.initial
   Option r_base = kFromTool;        ///< ngc.cycle.g91-r

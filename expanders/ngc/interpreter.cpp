@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string>
 
 #include "expanders/common/program_loop.hpp"
 
@@ -22,9 +23,21 @@ bool is_after_motion(Fixed m) {
   return is_end(m) || m == 0 || m == 1 || m == 60;
 }
 
+// With blanks in their place.
+std::string without_lone_cr(std::string_view program) {
+  std::string text{program};
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool last = i + 1 == text.size();
+    if (text[i] == '\r' && (last || text[i + 1] != '\n')) text[i] = ' ';
+  }
+  return text;
+}
+
 }  // namespace
 
 gonogo_answer Interpreter::run(std::string_view program) {
+  std::string blank;
+  if (machine_.configuration.cr_is_blank) program = blank = without_lone_cr(program);
   const bool pairs = program.find("\r\n") != std::string_view::npos;
   const Counting counting =
       machine_.adds("cr-lf-counted-twice"_fault, pairs) ? Counting::kPairTwice : Counting::kAll;
@@ -51,6 +64,7 @@ Flow Interpreter::check_end() {
 Block::Manner Interpreter::manner() const {
   const Configuration& configuration = machine_.configuration;
   return {.block_delete = configuration.block_delete,
+          .reads_skipped = configuration.reads_skipped != 0,
           .forgets_g80 = configuration.forgets_g80 != 0,
           .whole = machine_.whole,
           .faults = machine_};
@@ -115,7 +129,11 @@ Flow Interpreter::run_block() {
   if (machine_.in_alarm()) return Flow::kAlarm;
   Plan plan;
   prepare(plan);
-  if (machine_.in_alarm() && !plan.alarms_late) return Flow::kAlarm;
+  if (machine_.in_alarm() && !plan.alarms_late) {
+    // NGC-G4-02
+    const bool dwells = plan.reaches_motion && machine_.configuration.dwells_first;
+    return dwells && !machine_.tracer.dwell(plan.dwell) ? Flow::kStopped : Flow::kAlarm;
+  }
   return plan.outside.empty() ? perform_plan(plan) : unsupported(plan.outside);
 }
 
@@ -171,6 +189,8 @@ void Interpreter::check_numbers() {
       machine_.complain(AlarmKind::kValueSign, address, block_);
     } else if (address == 'T' && !number.overflow && !machine_.whole.function(number)) {
       machine_.complain(AlarmKind::kNotAnInteger, 'T', block_);
+    } else if (address == 'T' && number.value > 0 && machine_.configuration.looks_for_tools) {
+      machine_.complain(AlarmKind::kNoTool, 'T', block_);  // no profile with tools is taken
     }
   }
 }

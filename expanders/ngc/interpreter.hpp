@@ -41,6 +41,7 @@ class Interpreter {
   void remember_steps();
   bool runs_motion() const;
   void check_uses();
+  bool lacks_axis() const;
   void prepare_motion(Plan& plan);
   Flow perform_plan(const Plan& plan);
   Flow run_functions(bool before);

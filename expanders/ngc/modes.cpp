@@ -39,9 +39,20 @@ void Interpreter::prepare(Plan& plan) {
 
 // F counts in the units of the block before: G20 and G21 act later.
 void Interpreter::take_feed() {
-  if (!block_.has('F')) return;
+  const Configuration& configuration = machine_.configuration;
+  if (!block_.has('F')) {
+    const Code* mode = block_.code(Group::kFeedMode);
+    if (configuration.g94_ends_feed && mode != nullptr && mode->tenths == 940) {
+      machine_.state.feed = {};
+    }
+    return;
+  }
   const Fixed written = block_.number('F').value;
   if (written < 0) return machine_.complain(AlarmKind::kValueSign, 'F', block_);
+  const Code* units = block_.code(Group::kUnits);
+  if (configuration.feed_in_new_units && units != nullptr) {
+    machine_.state.inch = units->tenths == 200;
+  }
   machine_.state.feed = {
       machine_.alters("inch-feed-unscaled"_fault, length_of(machine_, written), written), written};
 }
@@ -144,8 +155,19 @@ void Interpreter::check_uses() {
   }
 }
 
+// What the reader misses before the motion is looked at.
+bool Interpreter::lacks_axis() const {
+  const Motion motion = machine_.state.motion;
+  if (motion == Motion::kNone) return true;
+  if (block_.code(Group::kMotion) == nullptr) return false;
+  if (is_cycle(motion)) return !block_.has_any(AddressSet{"XYZ"});
+  const bool straight = motion == Motion::kRapid || motion == Motion::kLine;
+  return straight && machine_.configuration.motion_needs_axis && !block_.has_any(kAxisWords);
+}
+
 void Interpreter::prepare_motion(Plan& plan) {
   check_uses();
+  plan.reaches_motion = !machine_.in_alarm() && !lacks_axis();
   switch (machine_.state.motion) {
     case Motion::kNone:
       if (block_.has_any(kAxisWords)) machine_.complain(AlarmKind::kMissingWord, 'G', kNowhere);

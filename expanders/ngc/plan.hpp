@@ -94,8 +94,9 @@ struct Threading {
 struct Plan {
   Fixed dwell = 0;  ///< seconds; before the motion
   std::variant<Idle, Line, Arc, Cycle, Synchronous, Threading> motion;
-  bool alarms_late = false;  ///< the machine is in alarm, and moves before
-  std::string_view outside;  ///< what is not implemented; empty: nothing
+  bool alarms_late = false;     ///< the machine is in alarm, and moves before
+  bool reaches_motion = false;  ///< nothing is wrong but what the motion finds
+  std::string_view outside;     ///< what is not implemented; empty: nothing
 };
 
 void prepare_dwell(Machine& machine, const Block& block, Plan& plan);

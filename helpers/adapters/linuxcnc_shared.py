@@ -75,7 +75,8 @@ READINGS = {"readings.ngc." + name: lambda value, own=own: value in (own, "any")
                 "peck.dwell": "none", "g73.end": "clear", "g85.out": "r-plane", "tap.p": "last",
                 "g74.l": "barred", "g33.k": "free", "g76.checks": "linuxcnc",
                 "g92-other-axes": "kept", "equal": "ten-thousandth", "call-parameters": "zero",
-                "sign-of-value": "taken", "g76.slide": "start", "g76.entry": "thread"}.items()}
+                "missing-tool": "alarm", "g94-feed": "none", "feed-units": "before",
+                "lone-cr": "blank", "alarm-dwell": "dwells", "sign-of-value": "taken", "g76.slide": "start", "g76.entry": "thread"}.items()}
 
 #: Their names, for what the subject says of itself.
 NAMES = [key[len("readings."):] for key in READINGS]

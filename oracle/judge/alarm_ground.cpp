@@ -48,8 +48,11 @@ bool has_its_place(const reference::Item& item) {
 // The program with an empty line in place of one block.
 class ProgramWithoutBlock : public grammar::ByteSource {
  public:
-  ProgramWithoutBlock(const ProgramText& program, std::uint64_t block)
-      : input_(program), block_(block) {}
+  ProgramWithoutBlock(const reference::Profile& profile, const ProgramText& program,
+                      std::uint64_t block)
+      : input_(program), block_(block) {
+    if (profile.takes_cr_for_blank()) input_.lines.take_cr_for_blank();
+  }
 
   std::size_t read(char* data, std::size_t capacity) override {
     grammar::Line line;
@@ -154,7 +157,7 @@ AlarmGround ground_of_alarm(const reference::Profile& profile, const ProgramText
 
 bool alarms_without_block(const reference::Profile& profile, const ProgramText& program,
                           std::uint64_t block, const SubjectAlarm& alarm) {
-  ProgramWithoutBlock bytes(program, block);
+  ProgramWithoutBlock bytes(profile, program, block);
   grammar::LineSource lines(bytes);
   reference::Expander expander(profile, lines, reference::OpenPaths::judged);
   try {

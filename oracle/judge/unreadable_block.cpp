@@ -37,8 +37,11 @@ std::string standing_among(std::string_view classes) {
 // The program as far as a block, of which only the first bytes are left.
 class CutProgram : public grammar::ByteSource {
  public:
-  CutProgram(const ProgramText& program, std::uint64_t block, std::size_t length)
-      : input_(program), block_(block), length_(length) {}
+  CutProgram(const reference::Profile& profile, const ProgramText& program, std::uint64_t block,
+             std::size_t length)
+      : input_(program), block_(block), length_(length) {
+    if (profile.takes_cr_for_blank()) input_.lines.take_cr_for_blank();
+  }
 
   std::size_t read(char* data, std::size_t capacity) override {
     if (at_ == text_.size() && !next_line()) return 0;
@@ -69,7 +72,7 @@ class CutProgram : public grammar::ByteSource {
 std::optional<AlarmReport> alarms_of_cut(const reference::Profile& profile,
                                          const ProgramText& program, std::uint64_t block,
                                          std::size_t length) {
-  CutProgram bytes(program, block, length);
+  CutProgram bytes(profile, program, block, length);
   grammar::LineSource lines(bytes);
   reference::Expander expander(profile, lines, reference::OpenPaths::judged);
   // Fewer than elsewhere, for each cut is run.

@@ -20,29 +20,36 @@ constexpr std::array kLasting = {AlarmClass::undefined_code,     AlarmClass::dup
                                  AlarmClass::conflicting_words,  AlarmClass::value_sign,
                                  AlarmClass::value_out_of_range, AlarmClass::not_an_integer};
 
-// The program as far as a place of one of its lines.
-std::string cut_at(std::string_view program, std::uint64_t block, std::size_t length) {
+// The lines of the program, each with what `part` leaves of it; until that is nothing.
+template <typename Part>
+std::string lines_of(const reference::Profile& profile, std::string_view program, Part part) {
   grammar::MemorySource bytes(program);
   grammar::LineSource lines(bytes);
-  grammar::Line line;
+  if (profile.takes_cr_for_blank()) lines.take_cr_for_blank();
   std::string text;
-  while (lines.next(line) && line.number <= block) {
-    text += line.number == block ? line.text.substr(0, length) : line.text;
+  for (grammar::Line line; lines.next(line);) {
+    const std::optional<std::string_view> left = part(line);
+    if (!left) break;
+    text += *left;
     text += '\n';
   }
   return text;
 }
 
-std::string without(std::string_view program, std::uint64_t block) {
-  grammar::MemorySource bytes(program);
-  grammar::LineSource lines(bytes);
-  grammar::Line line;
-  std::string text;
-  while (lines.next(line)) {
-    if (line.number != block) text += line.text;
-    text += '\n';
-  }
-  return text;
+// The program as far as a place of one of its lines.
+std::string cut_at(const reference::Profile& profile, std::string_view program, std::uint64_t block,
+                   std::size_t length) {
+  return lines_of(profile, program, [&](const grammar::Line& line) {
+    const std::string_view left = line.number == block ? line.text.substr(0, length) : line.text;
+    return line.number <= block ? std::optional(left) : std::nullopt;
+  });
+}
+
+std::string without(const reference::Profile& profile, std::string_view program,
+                    std::uint64_t block) {
+  return lines_of(profile, program, [&](const grammar::Line& line) {
+    return std::optional(line.number == block ? std::string_view() : line.text);
+  });
 }
 
 // The alarm with which the program ends; nothing: without one.
@@ -61,7 +68,7 @@ std::optional<AlarmReport> alarm_of(const reference::Profile& profile, std::stri
 
 bool alarms_without(const reference::Profile& profile, std::string_view program,
                     std::uint64_t block, const oracle::SubjectAlarm& alarm) {
-  const auto found = alarm_of(profile, without(program, block));
+  const auto found = alarm_of(profile, without(profile, program, block));
   const bool is_block = found && (alarm.block == 0 || found->block == alarm.block);
   return is_block && admits(*found, alarm.alarm_class);
 }
@@ -71,7 +78,7 @@ bool alarms_before_fault(const reference::Profile& profile, std::string_view pro
   if (!report.syntax) return false;
   // Back to where the line can be read.
   for (std::size_t length = report.syntax->where.begin + 1; length-- > 0;) {
-    const auto found = alarm_of(profile, cut_at(program, report.block, length));
+    const auto found = alarm_of(profile, cut_at(profile, program, report.block, length));
     if (!found || found->block != report.block) return false;
     if (found->syntax) continue;
     return std::ranges::any_of(kLasting, [&](AlarmClass one) {

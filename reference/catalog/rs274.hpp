@@ -54,6 +54,10 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "turns it begins.",
      "reference/rs274/arc.cpp"},
     {"NGC-G4-01", must, kLines, "G4 dwells for P seconds.", "reference/rs274/basic_motion.cpp"},
+    {"NGC-G4-02", open, kModes,
+     "A dwell comes before the motion of its block. LinuxCNC has dwelt when it finds what is wrong "
+     "with the motion; a word that is read wrong alarms before.",
+     "reference/rs274/interpreter.cpp", Basis::text},
     {"NGC-COM-01", derived, kBlocks,
      "A line with a slash runs unless blocks are skipped. A word or a modal group twice in a "
      "block, more than four M functions, a code that the language lacks, and R with I J K are "
@@ -103,6 +107,24 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "an "
      "error, before anything else of its line.",
      "reference/rs274/program_text.cpp"},
+    {"NGC-COM-11", open, kBlocks,
+     "T selects a tool. LinuxCNC looks for it in its table and alarms where it is not there; "
+     "NIST's "
+     "interpreter does not look.",
+     "reference/rs274/m_functions.cpp", Basis::text},
+    {"NGC-COM-12", open, kBlocks,
+     "Where blocks are skipped, a line with a slash before everything else does not run. Whether "
+     "it "
+     "is read, and alarms where it cannot be, no text says.",
+     "reference/rs274/interpreter.cpp", Basis::text},
+    {"NGC-COM-13", open, kBlocks,
+     "A line ends with a line feed, behind a carriage return or alone. A carriage return without a "
+     "line feed ends one, too, or is a blank and counts no line.",
+     "reference/rs274/interpreter.cpp", Basis::text},
+    {"NGC-MOD-03", open, kModes,
+     "G94 is units per minute. What it leaves of the feed in force no text says: LinuxCNC has none "
+     "until F is given, in this block or later; NIST's interpreter keeps it.",
+     "reference/rs274/interpreter.cpp", Basis::text},
     {"NGC-MOD-02", open, kLines,
      "G0 and G1 without an axis word: an alarm to NIST's interpreter; to LinuxCNC no motion, and "
      "an "

@@ -161,6 +161,74 @@ inline std::vector<Reading> rs274_readings() {
        "documents "
        "say; or zero, as LinuxCNC 2.9 has it. Open, and asked for only where one is read that was "
        "not zero"},
+      {ReadingKey::ngc_missing_tool,
+       "ngc.missing-tool",
+       "rs274",
+       {"taken", "alarm"},
+       "any",
+       false,
+       false,
+       "NGC-COM-11"_clause,
+       "T of a tool that the table, `tools` of the profile, has not: taken, as NIST's interpreter "
+       "has it; or an alarm, as LinuxCNC has it. Open, and asked for only where there is one; T0 "
+       "is no tool"},
+      {ReadingKey::ngc_g94_feed,
+       "ngc.g94-feed",
+       "rs274",
+       {"kept", "none"},
+       "any",
+       false,
+       false,
+       "NGC-MOD-03"_clause,
+       "the feed behind G94: the one that was in force, as NIST's interpreter has it; or none "
+       "until "
+       "F is given, as LinuxCNC has it. Open, and asked for only where one was in force and the "
+       "block has no F"},
+      {ReadingKey::ngc_feed_units,
+       "ngc.feed-units",
+       "rs274",
+       {"before", "after"},
+       "before",
+       false,
+       false,
+       "NGC-MOD-01"_clause,
+       "F in the block of a G20 or G21 that changes the units: in the units before it, as the "
+       "order "
+       "of execution says in which F comes first; or in the units behind it, as grblHAL and bCNC "
+       "have it"},
+      {ReadingKey::ngc_block_delete,
+       "ngc.block-delete",
+       "rs274",
+       {"unread", "read"},
+       "any",
+       false,
+       false,
+       "NGC-COM-12"_clause,
+       "a line behind a slash, where such lines are left out, that cannot be read: nothing in it "
+       "is "
+       "wrong; or an alarm, as on a control that reads a line before it leaves it out. Open, and "
+       "asked for only where there is one"},
+      {ReadingKey::ngc_lone_cr,
+       "ngc.lone-cr",
+       "rs274",
+       {"line-end", "blank"},
+       "any",
+       false,
+       false,
+       "NGC-COM-13"_clause,
+       "a carriage return without a line feed: ends a line; or is a blank, as NIST's interpreter, "
+       "LinuxCNC, grblHAL and uCNC have it. Open, and asked for only where there is one before "
+       "other text"},
+      {ReadingKey::ngc_alarm_dwell,
+       "ngc.alarm-dwell",
+       "rs274",
+       {"none", "dwells"},
+       "any",
+       false,
+       false,
+       "NGC-G4-02"_clause,
+       "the dwell of a G4 beside a motion that alarms: none; or the control dwells before it finds "
+       "what is wrong, as LinuxCNC has it. Open, and asked for only where nothing else alarms"},
   };
 }
 

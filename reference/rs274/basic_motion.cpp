@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G0, G1 and G4.
+#include <algorithm>
+#include <iterator>
+
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/rs274/machine.hpp"
@@ -53,6 +56,15 @@ void run_straight_feed(BlockContext& block) {
   Record record = block.motion_to(RecordKind::feed, "NGC-G0-01"_clause, axes, to);
   if (rotary) record.feed = block.machine.rotary_feed;
   block.put(std::move(record));
+}
+
+std::vector<Item> dwells_of(const BlockContext& block) {
+  std::vector<Item> dwells;
+  std::ranges::copy_if(block.out.items, std::back_inserter(dwells), [](const Item& item) {
+    const auto* record = std::get_if<Record>(&item);
+    return record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() != 0;
+  });
+  return dwells;
 }
 
 // NGC-G4-01

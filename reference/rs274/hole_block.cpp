@@ -12,16 +12,6 @@
 
 namespace gonogo::reference::rs274 {
 
-namespace {
-
-// One that is to be seen.
-bool is_dwell(const Item& item) {
-  const auto* record = std::get_if<Record>(&item);
-  return record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() != 0;
-}
-
-}  // namespace
-
 // NGC-CYC-16: all that follows is along the axes of the plane in force.
 HoleBlock::HoleBlock(BlockContext& block, OwnWord own)
     : block_(block), axes_(axes_of(block.machine.plane)), own_(own), initial_(block) {
@@ -208,8 +198,7 @@ void HoleBlock::stop() {
   if (late_ != block_.out.alarms.size() || !levels_) return;
   const HoleAhead hole = ahead();
   const bool at_place = found_ == Found::above_the_place;
-  std::vector<Item> dwells;
-  std::ranges::copy_if(block_.out.items, std::back_inserter(dwells), is_dwell);
+  std::vector<Item> dwells = dwells_of(block_);
   const bool stays =
       at_place ? always_approached(hole, [](const Approach& way) { return way.lifts == 0; })
                : always_approached(hole, [](const Approach& way) { return way.traverses.empty(); });

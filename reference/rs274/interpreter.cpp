@@ -25,11 +25,13 @@ class Interpreter : public BlockInterpreter {
   Interpreter(const Profile& profile, const ReadingsInUse& readings);
 
   void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) override;
-  bool next_line(grammar::LineSource& lines, grammar::Line& line) override {
-    return o_words_.next(lines, line);
-  }
+  bool next_line(grammar::LineSource& lines, grammar::Line& line) override;
   bool may_repeat_lines() const override { return o_words_.is_used(); }
   void leave_out() override { text_.leave_out(); }
+  // NGC-COM-12
+  bool alarms_left_out() const override {
+    return readings_.is(ReadingKey::ngc_block_delete, "read");
+  }
   void end_text(const grammar::Span& end, BlockOutput& out) override {
     check_text_end(end, readings_, out);
   }
@@ -41,7 +43,7 @@ class Interpreter : public BlockInterpreter {
   bool calculate(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
   void run_words(std::uint64_t line, const grammar::Block& block, const WordValues* values,
                  BlockOutput& out);
-  void take_feed(const BlockWords& words);
+  void take_feed(const BlockWords& words, const BlockCodes& codes);
   void take_spindle(const grammar::Block& block);
   void take_modes(const BlockCodes& codes, std::uint64_t line);
   void take_tool(const BlockWords& words);
@@ -104,11 +106,29 @@ void Interpreter::move_out(BlockOutput& out) const {
   }
 }
 
-// NGC-MOD-01: the feed comes before the units of its own block.
-void Interpreter::take_feed(const BlockWords& words) {
-  if (!words.has('F')) return;
+// NGC-COM-13: what a carriage return is has to be known before the first line.
+bool Interpreter::next_line(grammar::LineSource& lines, grammar::Line& line) {
+  if (profile_.takes_cr_for_blank()) lines.take_cr_for_blank();
+  const bool is_there = o_words_.next(lines, line);
+  if (lines.has_lone_cr()) readings_.touch(ReadingKey::ngc_lone_cr);
+  return is_there;
+}
+
+// NGC-MOD-01: the mode of the feed comes before F, and F before the units of its block.
+void Interpreter::take_feed(const BlockWords& words, const BlockCodes& codes) {
+  if (!words.has('F')) {
+    // NGC-MOD-03
+    const bool loses = reading_.of(Group::feed_mode) == 94 && machine_.feed.sign() != 0 &&
+                       readings_.is(ReadingKey::ngc_g94_feed, "none");
+    if (loses) machine_.feed = machine_.rotary_feed = 0;
+    return;
+  }
+  WordModes modes = machine_.modes;
+  const bool becomes_inch = codes.units == 20;
+  const bool changes = codes.units >= 0 && becomes_inch != modes.inch;
+  if (changes && readings_.is(ReadingKey::ngc_feed_units, "after")) modes.inch = becomes_inch;
   machine_.rotary_feed = words.written('F');
-  machine_.feed = *words.length('F');
+  machine_.feed = modes.length_of(machine_.rotary_feed);
 }
 
 // NGC-CYC-28: M3, M4 and M5 come before the cycle of their block.
@@ -232,13 +252,25 @@ void Interpreter::run_motion(BlockContext& block) const {
 }
 
 // Rules that ask for no other word but one like it.
-void check_each_word(const BlockWords& words, const ReadingsInUse& readings,
+void check_each_word(const BlockWords& words, const Profile& profile, const ReadingsInUse& readings,
                      std::vector<Alarm>& alarms) {
   const ClauseId clause = "NGC-COM-01"_clause;
   check_repeated_addresses(words, clause, alarms, "GM");
   check_m_groups(words.block(), readings, alarms);
   check_feed_sign(words, clause, alarms);
-  check_spindle_and_tool(words, readings, alarms);
+  check_spindle_and_tool(words, profile, readings, alarms);
+}
+
+// NGC-G4-02: whether the motion alone is wrong, and not for want of a word that is looked for when
+// the line is read.
+bool finds_behind_dwell(const BlockContext& block) {
+  return block.out.before_alarm.empty() &&
+         std::ranges::none_of(block.out.alarms, [](const Alarm& alarm) {
+           const bool is_of_axes = alarm.clause == "NGC-CYC-04"_clause ||
+                                   alarm.clause == "NGC-MOD-01"_clause ||
+                                   alarm.clause == "NGC-MOD-02"_clause;
+           return is_of_axes && alarm.alarm == AlarmClass::missing_word;
+         });
 }
 
 void Interpreter::run_block(BlockContext& block) const {
@@ -246,7 +278,13 @@ void Interpreter::run_block(BlockContext& block) const {
   check_once(block);
   take_offsets(block);
   run_once(block);  // NGC-CYC-27: a dwell is before all motion
+  const bool is_sound = block.out.alarms.empty() && !block.out.not_covered;
   run_motion(block);
+  if (!is_sound || block.out.alarms.empty() || !finds_behind_dwell(block)) return;
+  std::vector<Item> dwells = dwells_of(block);
+  if (!dwells.empty() && readings_.is(ReadingKey::ngc_alarm_dwell, "dwells")) {
+    block.out.before_alarm = std::move(dwells);
+  }
 }
 
 // Calculates what the block has to be calculated, and runs it where it is an O word. Whether its
@@ -330,13 +368,13 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
   }
   out.alarms.insert(out.alarms.end(), reading_.alarms.begin(), reading_.alarms.end());
   const BlockWords words(block, machine_.modes, values);
-  check_each_word(words, readings_, out.alarms);
+  check_each_word(words, profile_, readings_, out.alarms);
   if (has_undefined_code) {
     // What else is wrong depends on what an unknown code would be.
     sort_by_place(out.alarms);
     return;
   }
-  take_feed(words);
+  take_feed(words, codes);
   take_spindle(block);
   take_tool(words);
   take_modes(codes, line);

@@ -103,9 +103,18 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
   }
 }
 
+// NGC-COM-11
+void check_tool_table(const Number& number, const grammar::Word& word, const Profile& profile,
+                      const ReadingsInUse& readings, std::vector<Alarm>& alarms) {
+  if (number.sign() <= 0 || profile.tools.contains(number.text())) return;
+  if (!readings.is(ReadingKey::ngc_missing_tool, "alarm")) return;
+  alarms.push_back({AlarmClass::no_tool, "NGC-COM-11"_clause, 'T', word.where,
+                    fmt::format("{} is no tool of the table.", text_of(word))});
+}
+
 // NGC-COM-09
-void check_spindle_and_tool(const BlockWords& words, const ReadingsInUse& readings,
-                            std::vector<Alarm>& alarms) {
+void check_spindle_and_tool(const BlockWords& words, const Profile& profile,
+                            const ReadingsInUse& readings, std::vector<Alarm>& alarms) {
   const ClauseId clause = "NGC-COM-09"_clause;
   for (const char address : {'S', 'T'}) {
     if (!words.has(address)) continue;
@@ -115,7 +124,12 @@ void check_spindle_and_tool(const BlockWords& words, const ReadingsInUse& readin
       alarms.push_back({AlarmClass::value_sign, clause, address, word.where,
                         fmt::format("{} is below zero.", text_of(word))});
     }
-    if (address == 'S' || NearWhole(number).counts_as_whole(Whole::m_function, readings)) continue;
+    if (address == 'S') continue;
+    const NearWhole tool(number);
+    if (tool.counts_as_whole(Whole::m_function, readings)) {
+      check_tool_table(tool.nearest(), word, profile, readings, alarms);
+      continue;
+    }
     alarms.push_back({AlarmClass::not_an_integer, clause, address, word.where,
                       fmt::format("{} is no tool: its number is whole.", text_of(word))});
   }

@@ -23,7 +23,7 @@ void take_m_functions(const grammar::Block& block, std::uint64_t line,
 void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
                     std::vector<Alarm>& alarms);
 // NGC-COM-09: an alarm where S or T has a number that it may not have.
-void check_spindle_and_tool(const BlockWords& words, const ReadingsInUse& readings,
-                            std::vector<Alarm>& alarms);
+void check_spindle_and_tool(const BlockWords& words, const Profile& profile,
+                            const ReadingsInUse& readings, std::vector<Alarm>& alarms);
 
 }  // namespace gonogo::reference::rs274

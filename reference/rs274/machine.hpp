@@ -19,9 +19,9 @@ struct Machine : MotionState {
   explicit Machine(const Profile& profile) : offsets(profile) {}
 
   WordModes modes;
-  int motion = kNoMotion;  // as BlockCodes has it; kNoMotion also after G80
+  int motion = kNoMotion;          // as BlockCodes has it; kNoMotion also after G80
   std::uint64_t motion_ended = 0;  // the line of that G80; 0: none was in force
-  Number rotary_feed;      // F as written: degrees per minute where rotary axes move alone
+  Number rotary_feed;              // F as written: degrees per minute where rotary axes move alone
   Retract retract = Retract::unsaid;
   int spindle = 5;  // M3, M4 or M5
   CycleState cycle;
@@ -54,6 +54,8 @@ void check_once(BlockContext& block);
 
 // In basic_motion.cpp and arc.cpp.
 void run_dwell(BlockContext& block);
+// What the block dwells, where that is to be seen.
+std::vector<Item> dwells_of(const BlockContext& block);
 void run_traverse(BlockContext& block);
 void run_straight_feed(BlockContext& block);
 void run_arc(BlockContext& block, int sense);

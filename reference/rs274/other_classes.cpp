@@ -46,6 +46,8 @@ void admit_by_rule(Alarm& alarm) {
     case AlarmClass::lead_missing:
     case AlarmClass::feed_missing:
       return admit(AlarmClass::missing_word);
+    case AlarmClass::no_tool:
+      return admit(AlarmClass::value_out_of_range);
     case AlarmClass::arc_radius:
       return admit(AlarmClass::arc_end_point);
     case AlarmClass::arc_end_point:

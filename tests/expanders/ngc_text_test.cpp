@@ -50,6 +50,25 @@ TEST(NgcText, LineNumbers) {
   EXPECT_EQ(run_ngc("N99999 G0 X1\n", kWholeNumbers).motions(), "rapid x=1\n");
 }
 
+// What no text decides, as the other alternatives have it.
+TEST(NgcText, OtherInterpreters) {
+  const auto with = [](const std::string& reading, const std::string& program) {
+    return run_ngc(program, R"({"block_skip":true,"readings":{)" + reading + "}}");
+  };
+  EXPECT_EQ(run_ngc("T5\nG0 X1\n").motions(), "rapid x=1\n");
+  EXPECT_EQ(with(R"("ngc.missing-tool":"alarm")", "T0\nT5\n").alarm, "no-tool");
+  EXPECT_EQ(with(R"("ngc.g94-feed":"none")", "F9\nG94\nG1 X1\n").alarm, "feed-missing");
+  EXPECT_EQ(with(R"("ngc.feed-units":"after")", "G20 G1 X1 F10\n").records,
+            run_ngc("G20\nG1 X1 F10\n").records);
+  EXPECT_EQ(with(R"("ngc.block-delete":"read")", "/G0 X1\n/X\n").alarm_block, 2U);
+  const std::string dwells = R"("ngc.alarm-dwell":"dwells")";
+  EXPECT_EQ(with(dwells, "G4 P1 G1 X1\n").records.size(), 1U);
+  EXPECT_EQ(with(dwells, "G4 P1 G81\n").records.size(), 0U);
+  EXPECT_EQ(run_ngc("G4 P1 G1 X1\n").records.size(), 0U);
+  EXPECT_EQ(with(R"("ngc.lone-cr":"blank")", "G0 X1\r0\r\nX2\n").motions(),
+            "rapid x=10\nrapid x=2\n");
+}
+
 TEST(NgcText, Names) {
   constexpr const char* kRefused = R"({"readings":{"ngc.o-name":"syntax"}})";
   for (const char* name : {"O0002 (TEXT)", "o2", "O 0 2 (a) ; b"}) {

@@ -131,6 +131,34 @@ TEST(FileSource, IsReadFromTheBeginningByEachThatReadsIt) {
   std::fclose(file);
 }
 
+// Whatever the pieces in which the bytes come.
+TEST(LineSource, ACarriageReturnAloneMayBeABlank) {
+  for (std::size_t most = 1; most <= 6; ++most) {
+    PiecewiseSource bytes("G1\rG2\r\nG3\r\r\nG4\n\rG5\r", most, most);
+    LineSource source(bytes);
+    source.take_cr_for_blank();
+    Lines lines;
+    for (Line line; source.next(line);) lines.emplace_back(line.text);
+    EXPECT_EQ(lines, (Lines{"G1 G2", "G3 ", "G4", " G5"})) << most;
+    EXPECT_TRUE(source.has_lone_cr()) << most;
+  }
+}
+
+// Known with the line that it ends, for what stands behind it decides what the line is.
+TEST(LineSource, ACarriageReturnAloneIsSeenWithItsLine) {
+  for (std::size_t most = 1; most <= 6; ++most) {
+    PiecewiseSource bytes("G1\r\nG2\rG3\r", most, most);
+    LineSource source(bytes);
+    std::vector<std::pair<std::string, bool>> seen;
+    for (Line line; source.next(line);) seen.emplace_back(line.text, source.has_lone_cr());
+    const decltype(seen) want = {{"G1", false}, {"G2", true}, {"G3", true}};
+    EXPECT_EQ(seen, want) << most;
+  }
+  MemorySource ends("G1\r");
+  LineSource source(ends);
+  for (Line line; source.next(line);) EXPECT_FALSE(source.has_lone_cr());
+}
+
 TEST(LineSource, LinesLongerThanAChunkAreWhole) {
   const std::string a(200000, 'a');
   const std::string b(70000, 'b');

@@ -100,6 +100,11 @@ const Traits kLinuxcnc = {
     {ngc_g76_checks, "linuxcnc"},
     {ngc_g76_slide, "start"},
     {ngc_g76_entry, "thread"},
+    {ngc_missing_tool, "alarm"},
+    {ngc_g94_feed, "none"},
+    {ngc_feed_units, "before"},
+    {ngc_lone_cr, "blank"},
+    {ngc_alarm_dwell, "dwells"},
 };
 
 // NIST's interpreter, version 3: no G73, G74 and threads.
@@ -125,28 +130,24 @@ const Traits kNist = {
     {ngc_peck_dwell, "none"},
     {ngc_g85_out, "clear"},
     {ngc_tap_p, "barred"},
+    {ngc_missing_tool, "taken"},
+    {ngc_g94_feed, "kept"},
+    {ngc_feed_units, "before"},
+    {ngc_lone_cr, "blank"},
 };
 
 // grblHAL: no motion for G85, G86 and G89.
 const Traits kGrblhal = {
-    {ngc_g80_beside, "alarm"},
-    {ngc_unused_words, "alarm"},
-    {ngc_program_end, "free"},
-    {ngc_cycle_initial, "block"},
-    {ngc_cycle_sticky, "level"},
-    {ngc_cycle_retract_start, "initial"},
-    {ngc_cycle_feed, "needed"},
-    {ngc_cycle_alarm_at, "block"},
-    {ngc_g83_retract, "clear"},
-    {ngc_g83_return, "feed"},
-    {ngc_peck_clearance, "tenth-mm"},
-    {ngc_peck_d, "barred"},
-    {ngc_peck_dwell, "quarter"},
-    {ngc_tap_p, "needed"},
-    {ngc_g33_k, "positive"},
-    {ngc_g76_checks, "text"},
-    {ngc_g76_slide, "end"},
-    {ngc_g76_entry, "rapid"},
+    {ngc_g80_beside, "alarm"},        {ngc_unused_words, "alarm"},
+    {ngc_program_end, "free"},        {ngc_cycle_initial, "block"},
+    {ngc_cycle_sticky, "level"},      {ngc_cycle_retract_start, "initial"},
+    {ngc_cycle_feed, "needed"},       {ngc_cycle_alarm_at, "block"},
+    {ngc_g83_retract, "clear"},       {ngc_g83_return, "feed"},
+    {ngc_peck_clearance, "tenth-mm"}, {ngc_peck_d, "barred"},
+    {ngc_peck_dwell, "quarter"},      {ngc_tap_p, "needed"},
+    {ngc_g33_k, "positive"},          {ngc_g76_checks, "text"},
+    {ngc_g76_slide, "end"},           {ngc_g76_entry, "rapid"},
+    {ngc_feed_units, "after"},        {ngc_lone_cr, "blank"},
 };
 
 TEST(IdentifyCycles, NamesTheReadingsOfLinuxcnc) {

@@ -52,6 +52,8 @@ TEST(OtherClasses, OfABoundOfZero) {
   EXPECT_EQ(admitted("G10 L2 P-1 X1\n"), kSign);
   EXPECT_EQ(admitted("#1=SQRT[-1]\n"), kSign);
   EXPECT_EQ(admitted("G1 X1 F0\n"), with({"feed-missing", "missing-word"}, kSign));
+  EXPECT_EQ(admitted("T5\n", ngc({{"ngc.missing-tool", "alarm"}})),
+            (Classes{"no-tool", "value-out-of-range"}));
   // Above the range there is no sign.
   EXPECT_EQ(admitted("G10 L2 P10 X1\n"), Classes{"value-out-of-range"});
 }
