@@ -13,6 +13,7 @@ namespace gonogo::oracle {
 
 using exact::Number;
 using region::Interval;
+using region::norm;
 using region::PlanePoint;
 
 namespace {
@@ -41,17 +42,17 @@ Number nearest(const Number& from, const Number& to, const Number& zero) {
 Interval distance_of(const region::Arc& arc, const region::Stretch& stretch) {
   const Interval radius = hull(stretch.ra, stretch.rb);
   const Interval centre = norm(arc.c);
-  if (stretch.turns > 0 || stretch.wide || !(dot(stretch.ua, stretch.ub).lo > 0)) {
-    return {absolute(centre - radius).lo, (centre + radius).hi};
+  if (stretch.turns > 0 || stretch.wide || !(scalar_product(stretch.ua, stretch.ub).inf() > 0)) {
+    return {abs(centre - radius).inf(), (centre + radius).sup()};
   }
-  const Interval along = projection(stretch.ua, stretch.ub, arc.c);
-  return square_root(norm_squared(arc.c) + square(radius) + Interval{2, 2} * radius * along);
+  const Interval along = region::projection(stretch.ua, stretch.ub, arc.c);
+  return region::square_root(arc.c.squared_length() + square(radius) + 2.0 * radius * along);
 }
 
 // +1 on the free side, -1 beyond the limit, 0 neither for sure.
 int side(const Interval& distance, const Interval& bound, bool outside) {
-  if (outside ? distance.lo >= bound.hi : distance.hi <= bound.lo) return 1;
-  return (outside ? distance.hi < bound.lo : distance.lo > bound.hi) ? -1 : 0;
+  if (outside ? distance.inf() >= bound.sup() : distance.sup() <= bound.inf()) return 1;
+  return (outside ? distance.sup() < bound.inf() : distance.inf() > bound.sup()) ? -1 : 0;
 }
 
 // Parts of a sweep, which halving keeps exact.
@@ -67,6 +68,7 @@ struct OpenStretch {
 
 // `counts`: the part of the arc's sweep that is looked at.
 Clearance halve(const region::Arc& arc, const Keep& keep, const PartOfSweep& counts) {
+  const region::Rounding outward;
   const Interval bound =
       region::enclose(keep.outside ? keep.radius - keep.slack : keep.radius + keep.slack);
   std::vector<OpenStretch> open{{whole(arc), {}}};
@@ -81,12 +83,11 @@ Clearance halve(const region::Arc& arc, const Keep& keep, const PartOfSweep& cou
     const region::IntervalVector point = arc.c + parts[0].rb * parts[0].ub;
     const bool is_looked_at = counts.low <= middle && middle <= counts.high;
     if (is_looked_at && side(norm(point), bound, keep.outside) < 0) {
-      const PlanePoint witness{region::to_number(point.x.middle()),
-                               region::to_number(point.y.middle())};
+      const PlanePoint witness = region::middle_of(point);
       return {Clearance::Kind::touches, witness,
               abs(exact::sqrt(norm_squared(witness)) - keep.radius)};
     }
-    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi < kBeside && !stretch.wide &&
+    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).sup() < kBeside && !stretch.wide &&
         stretch.turns == 0) {
       undecided = true;
       continue;

@@ -19,6 +19,7 @@ bool contains(const Sweep& sweep, const PlanePoint& direction) {
 namespace {
 
 void add_enclosures(Arc& arc) {
+  const Rounding outward;
   const IntervalVector a = enclose(arc.sweep.a);
   const IntervalVector b = enclose(arc.sweep.b);
   arc.c = enclose(arc.centre);
@@ -70,9 +71,8 @@ Stretch whole(const Arc& arc) {
 IntervalVector middle_direction(const IntervalVector& ua, const IntervalVector& ub, bool wide) {
   // With m in the middle of a sweep f: ub - ua = 2 sin(f/2) (m turned left), ua + ub = 2 cos(f/2)
   // m. The first serves while f is far from 0 and 360 degrees, the second while it is far from 180.
-  if (dot(ua, ub).middle() <= 0) {
-    const IntervalVector chord = ub - ua;
-    return unit(IntervalVector{chord.y, -chord.x});
+  if (median(scalar_product(ua, ub)) <= 0) {
+    return unit((ub - ua).perpendicular(CGAL::CLOCKWISE));
   }
   const IntervalVector sum = unit(ua + ub);
   return wide ? -sum : sum;
@@ -82,22 +82,25 @@ std::array<Stretch, 2> halves(const Stretch& stretch) {
   IntervalVector m = middle_direction(stretch.ua, stretch.ub, stretch.wide);
   const bool odd = stretch.turns % 2 != 0;
   if (odd) m = -m;  // half of an odd number of turns: 180 degrees on
-  const Interval radius = (stretch.ra + stretch.rb) * Interval{0.5, 0.5};
+  const Interval radius = (stretch.ra + stretch.rb) * 0.5;
   const int turns = stretch.turns / 2;
   return {Stretch{stretch.ua, m, stretch.ra, radius, turns, odd},
           Stretch{m, stretch.ub, radius, stretch.rb, turns, odd}};
 }
 
 Interval projection(const IntervalVector& ua, const IntervalVector& ub, const IntervalVector& d) {
-  const Interval at_a = dot(ua, d);
-  const Interval at_b = dot(ub, d);
-  Interval range = hull(at_a, at_b);
-  const Interval left_of_a = cross(ua, d);
-  const Interval right_of_b = cross(d, ub);
+  const Interval at_a = scalar_product(ua, d);
+  const Interval at_b = scalar_product(ub, d);
+  const Interval ends = hull(at_a, at_b);
+  const Interval left_of_a = determinant(ua, d);
+  const Interval right_of_b = determinant(d, ub);
   // d itself, or its opposite, may lie in the sweep: the extreme is its length.
-  if (!(left_of_a.hi < 0 || right_of_b.hi < 0)) range.hi = std::max(range.hi, norm(d).hi);
-  if (!(left_of_a.lo > 0 || right_of_b.lo > 0)) range.lo = std::min(range.lo, -norm(d).hi);
-  return range;
+  const bool may_hold = !(left_of_a.sup() < 0 || right_of_b.sup() < 0);
+  const bool opposite_may_hold = !(left_of_a.inf() > 0 || right_of_b.inf() > 0);
+  if (!may_hold && !opposite_may_hold) return ends;
+  const double length = norm(d).sup();
+  return {opposite_may_hold ? std::min(ends.inf(), -length) : ends.inf(),
+          may_hold ? std::max(ends.sup(), length) : ends.sup()};
 }
 
 }  // namespace gonogo::oracle::region

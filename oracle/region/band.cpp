@@ -16,19 +16,18 @@ struct Fit {
   double away = 0;  // every point of the arc has a point of the stretch so near
 };
 
-// The circle through three points, as near as doubles get.
-Fit circle_through(const IntervalVector& a, const IntervalVector& m, const IntervalVector& b) {
-  const double x1 = (m.x - a.x).middle();
-  const double y1 = (m.y - a.y).middle();
-  const double x2 = (b.x - a.x).middle();
-  const double y2 = (b.y - a.y).middle();
-  const double below = 2 * (x1 * y2 - y1 * x2);
-  const double n1 = x1 * x1 + y1 * y1;
-  const double n2 = x2 * x2 + y2 * y2;
-  const double ox = a.x.middle() + (y2 * n1 - y1 * n2) / below;
-  const double oy = a.y.middle() + (x1 * n2 - x2 * n1) / below;
-  Fit circle{exactly(ox, oy), {}, 0};
-  const double radius = norm(a - circle.o).middle();
+// The circle through three points, as near as doubles get; nothing where they lie in line.
+std::optional<Fit> circle_through(const IntervalVector& a, const IntervalVector& m,
+                                  const IntervalVector& b) {
+  using Doubles = CGAL::Simple_cartesian<double>;
+  const auto seen = [](const IntervalVector& v) {
+    return Doubles::Point_2(median(v.x()), median(v.y()));
+  };
+  if (CGAL::collinear(seen(a), seen(m), seen(b))) return std::nullopt;
+  const Doubles::Point_2 o = CGAL::circumcenter(seen(a), seen(m), seen(b));
+  if (!std::isfinite(o.x()) || !std::isfinite(o.y())) return std::nullopt;
+  Fit circle{IntervalVector(o.x(), o.y()), 0, 0};
+  const double radius = median(norm(a - circle.o));
   circle.radius = {radius, radius};
   return circle;
 }
@@ -40,35 +39,32 @@ Fit circle_through(const IntervalVector& a, const IntervalVector& m, const Inter
 // the sweep. From S S'' + S'^2 = -e^2 cos 2f: |S'| <= e^2 / 2m, |S''| <= (e^2 + S'^2) / m,
 // |S'''| <= (2 e^2 + 3 |S' S''|) / m, with m = sqrt(1 - e^2).
 std::optional<Fit> fit(const Arc& arc, const Stretch& stretch) {
-  if (stretch.turns > 0 || stretch.wide || !(dot(stretch.ua, stretch.ub).lo >= 0)) {
+  if (stretch.turns > 0 || stretch.wide || !(scalar_product(stretch.ua, stretch.ub).inf() >= 0)) {
     return std::nullopt;
   }
   const auto parts = halves(stretch);
   const IntervalVector nodes[] = {arc.c + stretch.ra * stretch.ua,
                                   arc.c + parts[0].rb * parts[0].ub,
                                   arc.c + stretch.rb * stretch.ub};
-  Fit circle = circle_through(nodes[0], nodes[1], nodes[2]);
-  const Interval d = norm(circle.o - arc.c);
-  const Interval e2 = square(d / circle.radius);
-  if (!(e2.hi < 0.9)) return std::nullopt;
-  const Interval two{2, 2};
-  const Interval three{3, 3};
-  const Interval m = square_root(Interval{1, 1} - e2);
-  const Interval s1 = e2 / (two * m);
+  auto circle = circle_through(nodes[0], nodes[1], nodes[2]);
+  if (!circle) return std::nullopt;
+  const Interval d = norm(circle->o - arc.c);
+  const Interval e2 = square(d / circle->radius);
+  if (!(e2.sup() < 0.9)) return std::nullopt;
+  const Interval m = square_root(Interval(1) - e2);
+  const Interval s1 = e2 / (2.0 * m);
   const Interval s2 = (e2 + square(s1)) / m;
-  const Interval s3 = (two * e2 + three * s1 * s2) / m;
-  const Interval third = d + circle.radius * s3;
+  const Interval s3 = (2.0 * e2 + 3.0 * s1 * s2) / m;
+  const Interval third = d + circle->radius * s3;
   // An angle up to 90 degrees is at most 1.1108 times its chord.
-  const Interval h = norm(stretch.ub - stretch.ua) * Interval{0.5555, 0.5555};
-  Interval miss{};
+  const Interval h = norm(stretch.ub - stretch.ua) * 0.5555;
+  Interval miss = 0;
   for (const IntervalVector& node : nodes) {
-    miss.hi = std::max(miss.hi, absolute(norm(node - circle.o) - circle.radius).hi);
+    miss = CGAL::max(miss, abs(norm(node - circle->o) - circle->radius));
   }
   // 0.0642 > 1 / (9 sqrt 3). What the nodes miss the circle by counts along slanting rays, and
   // through the interpolation: far less than tenfold divided by m.
-  const Interval away =
-      third * h * square(h) * Interval{0.0642, 0.0642} + miss * Interval{10, 10} / m;
-  circle.away = away.hi;
+  circle->away = (third * h * square(h) * 0.0642 + miss * 10.0 / m).sup();
   return circle;
 }
 
@@ -120,7 +116,7 @@ class BandMaker {
       if (out_.size() > kMaximumBands) return false;
       const Stretch stretch = open.back();
       open.pop_back();
-      if (absolute(stretch.rb - stretch.ra).hi <= width_) {
+      if (abs(stretch.rb - stretch.ra).sup() <= width_) {
         add_part(arc, stretch);
         continue;
       }
@@ -172,8 +168,8 @@ class BandMaker {
     band.wide = stretch.wide;
     band.c = arc.c;
     band.centre = &arc.centre;
-    band.inner = Interval{radius.hi, radius.hi} - Interval{reach_.lo, reach_.lo};
-    band.outer = Interval{radius.lo, radius.lo} + Interval{reach_.lo, reach_.lo};
+    band.inner = Interval{radius.sup(), radius.sup()} - Interval{reach_.inf(), reach_.inf()};
+    band.outer = Interval{radius.inf(), radius.inf()} + Interval{reach_.inf(), reach_.inf()};
     band.ua = stretch.ua;
     band.ub = stretch.ub;
     add(band);
@@ -186,12 +182,13 @@ class BandMaker {
     if (!circle || !(circle->away <= width_)) return false;
     const IntervalVector a = arc.c + stretch.ra * stretch.ua - circle->o;
     const IntervalVector b = arc.c + stretch.rb * stretch.ub - circle->o;
-    const Interval side = cross(a, b);
-    if (side.lo <= 0 && side.hi >= 0) return false;
-    const Interval reach = Interval{reach_.lo, reach_.lo} - Interval{circle->away, circle->away};
+    const Interval side = determinant(a, b);
+    if (side.inf() <= 0 && side.sup() >= 0) return false;
+    const Interval reach =
+        Interval{reach_.inf(), reach_.inf()} - Interval{circle->away, circle->away};
     Band band;
     band.shape = Band::Shape::sector;
-    band.wide = side.hi < 0;
+    band.wide = side.sup() < 0;
     band.c = circle->o;
     band.inner = circle->radius - reach;
     band.outer = circle->radius + reach;
@@ -202,8 +199,7 @@ class BandMaker {
   }
 
   void add(Band& band) {
-    band.inner2 = square(Interval{std::max(band.inner.lo, 0.0), std::max(band.inner.hi, 0.0)});
-    band.outer2 = square(band.outer);
+    band.square_radii();
     out_.push_back(band);
   }
 
@@ -228,7 +224,7 @@ std::vector<PlanePoint> points_of(const Path& path) {
     if (!arc.capped_b) add(arc.end_b());
   }
   for (const Line& line : path.lines) {
-    if (line.length.lo > kShort) continue;
+    if (line.length.inf() > kShort) continue;
     add(line.from);
     add(line.to);
   }
@@ -243,7 +239,7 @@ std::optional<Bands> make_bands(const Path& path, const Number& reach, double wi
   BandMaker maker(result->bands, enclose(reach), width);
   for (const PlanePoint& point : result->points) maker.add_point(point);
   for (const Line& line : path.lines) {
-    if (line.length.lo > kShort) maker.add_line(line);
+    if (line.length.inf() > kShort) maker.add_line(line);
   }
   for (const Arc& arc : path.arcs) {
     if (arc.round) {
@@ -271,7 +267,7 @@ bool append_stretch(const Arc& arc, const Stretch& stretch, Interval reach, doub
 void append_line(const IntervalVector& from, const IntervalVector& to, Interval reach,
                  std::vector<Band>& out) {
   BandMaker maker(out, reach, 0);
-  if (norm(to - from).lo > kShort) {
+  if (norm(to - from).inf() > kShort) {
     maker.add_capsule(from, to);
   } else {
     maker.add_joint(from);
@@ -297,11 +293,11 @@ void add_cleared(Bands& bands, const Cleared& cleared) {
 namespace {
 
 double distance_to_line(const Band& band, double x, double y) {
-  const double dx = x - band.c.x.middle();
-  const double dy = y - band.c.y.middle();
-  const double ux = band.ua.x.middle();
-  const double uy = band.ua.y.middle();
-  const double along = std::clamp(dx * ux + dy * uy, 0.0, band.length.hi);
+  const double dx = x - median(band.c.x());
+  const double dy = y - median(band.c.y());
+  const double ux = median(band.ua.x());
+  const double uy = median(band.ua.y());
+  const double along = std::clamp(dx * ux + dy * uy, 0.0, band.length.sup());
   const double px = dx - along * ux;
   const double py = dy - along * uy;
   return std::sqrt(px * px + py * py);
@@ -310,26 +306,26 @@ double distance_to_line(const Band& band, double x, double y) {
 }  // namespace
 
 double rough_distance(const Band& band, double x, double y) {
-  if (band.shape == Band::Shape::capsule) return distance_to_line(band, x, y) - band.outer.lo;
+  if (band.shape == Band::Shape::capsule) return distance_to_line(band, x, y) - band.outer.inf();
   if (band.shape == Band::Shape::rectangle) return rough_distance(band.rectangle(), x, y);
-  const double dx = x - band.c.x.middle();
-  const double dy = y - band.c.y.middle();
+  const double dx = x - median(band.c.x());
+  const double dy = y - median(band.c.y());
   const double d = std::sqrt(dx * dx + dy * dy);
   const double outside =
-      band.has_hole() ? std::max(d - band.outer.lo, band.inner.hi - d) : d - band.outer.lo;
+      band.has_hole() ? std::max(d - band.outer.inf(), band.inner.sup() - d) : d - band.outer.inf();
   if (band.shape != Band::Shape::sector) return outside;
-  const double ax = band.ua.x.middle();
-  const double ay = band.ua.y.middle();
-  const double bx = band.ub.x.middle();
-  const double by = band.ub.y.middle();
+  const double ax = median(band.ua.x());
+  const double ay = median(band.ua.y());
+  const double bx = median(band.ub.x());
+  const double by = median(band.ub.y());
   const double left_of_a = ax * dy - ay * dx;
   const double right_of_b = dx * by - dy * bx;
   const bool in = band.wide ? left_of_a > 0 || right_of_b > 0 : left_of_a > 0 && right_of_b > 0;
   if (in) return outside;
   // To the nearer of the two straight edges.
   const auto edge = [&](double ux, double uy) {
-    const double low = band.has_hole() ? band.inner.hi : 0.0;
-    const double along = std::clamp(dx * ux + dy * uy, low, std::max(low, band.outer.lo));
+    const double low = band.has_hole() ? band.inner.sup() : 0.0;
+    const double along = std::clamp(dx * ux + dy * uy, low, std::max(low, band.outer.inf()));
     return std::hypot(dx - along * ux, dy - along * uy);
   };
   return std::max(1e-300, std::min(edge(ax, ay), edge(bx, by)));

@@ -23,14 +23,14 @@ struct Cleared {
 
 struct Band {
   enum class Shape : std::uint8_t { disc, ring, sector, capsule, rectangle } shape = Shape::disc;
-  bool wide = false;  // sector: more than 180 degrees
-  IntervalVector c;   // capsule: where its line begins
-  Interval inner;     // radii; without a hole: 0 or less
-  Interval outer;     // capsule: half its width; rectangle: the radius of its corners
-  IntervalVector ua;  // sector: its directions, counterclockwise; capsule: the line's
+  bool wide = false;       // sector: more than 180 degrees
+  IntervalVector c{0, 0};  // capsule: where its line begins
+  Interval inner = 0;      // radii; without a hole: 0 or less
+  Interval outer;          // capsule: half its width; rectangle: the radius of its corners
+  IntervalVector ua;       // sector: its directions, counterclockwise; capsule: the line's
   IntervalVector ub;
-  IntervalVector to;  // capsule: where its line ends
-  Interval length;    // of that line
+  IntervalVector to;    // capsule: where its line ends
+  Interval length = 0;  // of that line
   // The exact middle line, a circle (a point: radius 0). The centre is null for the joints of
   // spirals, the squared radius for all their parts. Owned by the path, the points, or static.
   const PlanePoint* centre = nullptr;
@@ -39,11 +39,16 @@ struct Band {
   const Line* line = nullptr;        // capsule
   const Cleared* cleared = nullptr;  // rectangle
 
-  Interval inner2;
+  Interval inner2 = 0;
   Interval outer2;
   std::uint32_t unit = 0;  // of a path in the order of time (order.hpp): which part of it
 
-  bool has_hole() const { return inner.hi > 0; }
+  // After `inner` and `outer`.
+  void square_radii() {
+    inner2 = square(CGAL::max(inner, Interval(0)));
+    outer2 = square(outer);
+  }
+  bool has_hole() const { return inner.sup() > 0; }
   const EnclosedRectangle& rectangle() const { return cleared->enclosed; }
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 bool meets_area(const Band& band, const EnclosedRectangle& area) {
   const auto near = [&area](const IntervalVector& point, Interval size) {
-    return square_root(squared_distance_to_core(area, point)).hi < (area.radius + size).lo;
+    return square_root(squared_distance_to_core(area, point)).sup() < (area.radius + size).inf();
   };
   switch (band.shape) {
     case Band::Shape::disc:
@@ -23,8 +23,8 @@ bool meets_area(const Band& band, const EnclosedRectangle& area) {
     default:
       break;
   }
-  const Interval middle = (band.inner + band.outer) * Interval{0.5, 0.5};
-  const Interval half = (band.outer - band.inner) * Interval{0.5, 0.5};
+  const Interval middle = (band.inner + band.outer) * 0.5;
+  const Interval half = (band.outer - band.inner) * 0.5;
   return near(band.c + middle * band.ua, half);
 }
 
@@ -65,21 +65,21 @@ bool BorderFilter::start_next_border() {
 
 BorderFilter::Middle BorderFilter::middle_of(const BorderPiece& piece) const {
   if (const auto* line = std::get_if<LinePiece>(&piece.curve)) {
-    const double dx = (line->b.x - line->a.x).middle();
-    const double dy = (line->b.y - line->a.y).middle();
+    const double dx = median(line->b.x() - line->a.x());
+    const double dy = median(line->b.y() - line->a.y());
     const double length = std::sqrt(dx * dx + dy * dy);
     const double unit = length > 0 ? length : 1;  // a line of no length has no side
-    return {line->a.x.middle() + dx / 2, line->a.y.middle() + dy / 2, dy / unit, -dx / unit,
+    return {median(line->a.x()) + dx / 2, median(line->a.y()) + dy / 2, dy / unit, -dx / unit,
             length};
   }
   const auto& arc = std::get<CirclePiece>(piece.curve);
   const IntervalVector m = middle_direction(arc.ua, arc.ub, false);
-  const double mx = m.x.middle();
-  const double my = m.y.middle();
-  const double r = arc.r.middle();
+  const double mx = median(m.x());
+  const double my = median(m.y());
+  const double r = median(arc.r);
   const double out = piece.side == Side::hole ? -1 : 1;
-  return {arc.c.x.middle() + r * mx, arc.c.y.middle() + r * my, out * mx, out * my,
-          norm(arc.r * (arc.ub - arc.ua)).hi};
+  return {median(arc.c.x()) + r * mx, median(arc.c.y()) + r * my, out * mx, out * my,
+          norm(arc.r * (arc.ub - arc.ua)).sup()};
 }
 
 bool BorderFilter::lies_outside_area(const BorderPiece& piece) const {
@@ -98,10 +98,10 @@ bool BorderFilter::is_between(const BorderPiece& piece, std::uint32_t other) con
     if (piece.side == Side::edge || next.shape != Band::Shape::capsule) return false;
     for (const IntervalVector& end : {line->a, line->b}) {
       const IntervalVector offset = end - next.c;
-      const Interval along = dot(next.ua, offset);
-      if (!(along.lo > 0 && along.hi < next.length.lo)) return false;
-      const double aside = std::fabs(cross(next.ua, offset).middle());
-      if (!(std::fabs(aside - next.outer.middle()) < kBeside)) return false;
+      const Interval along = scalar_product(next.ua, offset);
+      if (!(along.inf() > 0 && along.sup() < next.length.inf())) return false;
+      const double aside = std::fabs(median(determinant(next.ua, offset)));
+      if (!(std::fabs(aside - median(next.outer)) < kBeside)) return false;
     }
     return abut_exactly(band, piece.side, next, target_.reach);
   }
@@ -109,9 +109,9 @@ bool BorderFilter::is_between(const BorderPiece& piece, std::uint32_t other) con
   if (next.shape == Band::Shape::capsule || band.shape == Band::Shape::capsule) return false;
   if (outer ? !next.has_hole() : !band.has_hole()) return false;
   const auto& arc = std::get<CirclePiece>(piece.curve);
-  const double radius = outer ? next.inner.middle() : next.outer.middle();
-  if (!(std::fabs(radius - arc.r.middle()) < kBeside)) return false;
-  if (!(norm(band.c - next.c).lo < kBeside)) return false;
+  const double radius = outer ? median(next.inner) : median(next.outer);
+  if (!(std::fabs(radius - median(arc.r)) < kBeside)) return false;
+  if (!(norm(band.c - next.c).inf() < kBeside)) return false;
   if (!lies_within_sweep(arc, next)) return false;
   return outer ? abut_exactly(band, next, target_.reach) : abut_exactly(next, band, target_.reach);
 }
@@ -209,7 +209,7 @@ bool BorderFilter::examine(const BorderPiece& piece) {
 
 void BorderFilter::halve(const BorderPiece& piece) {
   if (const auto* line = std::get_if<LinePiece>(&piece.curve)) {
-    const IntervalVector middle = Interval{0.5, 0.5} * (line->a + line->b);
+    const IntervalVector middle = Interval(0.5) * (line->a + line->b);
     const LinePiece halves[] = {{line->a, middle}, {middle, line->b}};
     for (const LinePiece& half : halves) pieces_.push_back({piece.side, half});
     return;

@@ -8,8 +8,6 @@ namespace {
 
 using Side = BorderPiece::Side;
 
-// Borders farther inside the area than this need no exact look, mm.
-
 class BorderMaker {
  public:
   BorderMaker(const Band& band, const Target& target, const EnclosedRectangle& area,
@@ -45,7 +43,7 @@ class BorderMaker {
 // Exactly. `gap`: about how much larger its radius is than the distance to its centre.
 bool BorderMaker::surrounds_area(const PlanePoint& centre, const Number& radius2,
                                  const Number& beyond, double gap) const {
-  if (!(gap >= area_.radius.middle() - kShort)) return false;
+  if (!(gap >= median(area_.radius) - kShort)) return false;
   // For each corner o of the core: r >= |c - o| + k, r the root of radius2.
   const Number k = target_.area.radius - beyond;
   const Number k2 = k * k;
@@ -65,7 +63,7 @@ bool BorderMaker::follows_corner(const Number& reach) const {
   if (!band_.sweep || band_.sweep->wide) return false;
   const PlanePoint& a = band_.sweep->a;
   const PlanePoint& b = band_.sweep->b;
-  if (!((band_.outer - area_.radius).hi >= -kShort)) return false;
+  if (!((band_.outer - area_.radius).sup() >= -kShort)) return false;
   for (const Corner& corner : corners_of(target_.area)) {
     if (!(*band_.centre == corner.at)) continue;
     const auto away = [&](const PlanePoint& direction) {
@@ -82,20 +80,22 @@ bool BorderMaker::follows_corner(const Number& reach) const {
 
 void BorderMaker::circle(bool hole) {
   if (hole && !band_.has_hole()) return;
-  const Interval r = hole ? Interval{std::max(band_.inner.lo, 0.0), band_.inner.hi} : band_.outer;
+  const Interval r =
+      hole ? Interval{std::max(band_.inner.inf(), 0.0), band_.inner.sup()} : band_.outer;
   if (band_.radius2) {
     const Number beyond = hole ? -target_.reach : target_.reach;
-    const double gap = (r - norm(band_.c)).hi;
+    const double gap = (r - norm(band_.c)).sup();
     if (surrounds_area(*band_.centre, *band_.radius2, beyond, gap)) return;
     if (!hole && follows_corner(target_.reach)) return;
   }
   const Side side = hole ? Side::hole : Side::outer;
   if (band_.shape != Band::Shape::sector) {
-    const IntervalVector axes[] = {exactly(1, 0), exactly(0, 1), exactly(-1, 0), exactly(0, -1)};
+    const IntervalVector axes[] = {IntervalVector(1, 0), IntervalVector(0, 1),
+                                   IntervalVector(-1, 0), IntervalVector(0, -1)};
     for (std::size_t k = 0; k < 4; ++k) arc(side, band_.c, r, axes[k], axes[(k + 1) % 4]);
     return;
   }
-  if (!band_.wide && dot(band_.ua, band_.ub).lo >= 0) {
+  if (!band_.wide && scalar_product(band_.ua, band_.ub).inf() >= 0) {
     arc(side, band_.c, r, band_.ua, band_.ub);
     return;
   }
@@ -111,11 +111,11 @@ void BorderMaker::circle(bool hole) {
 // The edge lies outside the area, perhaps touching it. Exactly: no point of the area lies farther
 // along the edge's normal than h = core_p |n.p| + core_q |n.q| + radius.
 bool BorderMaker::edge_is_outside(Side side, const IntervalVector& normal) const {
-  const Interval along = dot(normal, band_.c) + band_.outer;
-  const Interval support = area_.core_p * absolute(normal.x) + area_.core_q * absolute(normal.y);
+  const Interval along = scalar_product(normal, band_.c) + band_.outer;
+  const Interval support = area_.core_p * abs(normal.x()) + area_.core_q * abs(normal.y());
   const Interval room = along - support - area_.radius;
-  if (!(room.hi >= -kShort)) return false;
-  if (room.lo >= 0) return true;
+  if (!(room.sup() >= -kShort)) return false;
+  if (room.inf() >= 0) return true;
   const Line& line = *band_.line;
   const PlanePoint d = line.to - line.from;
   Number from = cross(d, line.from);  // its place along the normal, times the length of d
@@ -133,7 +133,7 @@ bool BorderMaker::edge_is_outside(Side side, const IntervalVector& normal) const
 // The half circle about an end from -n by u to n.
 void BorderMaker::cap(const PlanePoint& end, const IntervalVector& c, const IntervalVector& n,
                       const IntervalVector& u) {
-  const double gap = (band_.outer - norm(c)).hi;
+  const double gap = (band_.outer - norm(c)).sup();
   if (surrounds_area(end, Number(), target_.reach, gap)) return;
   arc(Side::outer, c, band_.outer, -n, u);
   arc(Side::outer, c, band_.outer, u, n);
@@ -141,7 +141,7 @@ void BorderMaker::cap(const PlanePoint& end, const IntervalVector& c, const Inte
 
 void BorderMaker::capsule() {
   const IntervalVector& u = band_.ua;
-  const IntervalVector n{-u.y, u.x};
+  const IntervalVector n = u.perpendicular(CGAL::COUNTERCLOCKWISE);
   const IntervalVector aside = band_.outer * n;
   if (!edge_is_outside(Side::right, -n)) line(Side::right, band_.c - aside, band_.to - aside);
   if (!edge_is_outside(Side::left, n)) line(Side::left, band_.to + aside, band_.c + aside);
@@ -151,7 +151,8 @@ void BorderMaker::capsule() {
 
 void BorderMaker::rectangle() {
   const EnclosedRectangle& shape = band_.rectangle();
-  const IntervalVector axes[] = {exactly(1, 0), exactly(0, 1), exactly(-1, 0), exactly(0, -1)};
+  const IntervalVector axes[] = {IntervalVector(1, 0), IntervalVector(0, 1), IntervalVector(-1, 0),
+                                 IntervalVector(0, -1)};
   const IntervalVector corners[] = {{shape.core_p, shape.core_q},
                                     {-shape.core_p, shape.core_q},
                                     {-shape.core_p, -shape.core_q},
@@ -162,7 +163,7 @@ void BorderMaker::rectangle() {
     const IntervalVector& out = axes[(k + 1) % 4];
     arc(Side::outer, c, shape.radius, axes[k], out);
     const Interval side = k % 2 == 0 ? shape.core_p : shape.core_q;
-    if (side.hi > 0) line(Side::edge, c + shape.radius * out, next + shape.radius * out);
+    if (side.sup() > 0) line(Side::edge, c + shape.radius * out, next + shape.radius * out);
   }
 }
 

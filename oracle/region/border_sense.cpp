@@ -21,24 +21,24 @@ BorderSense::BorderSense(const RoundedRectangle& border, int sense, const Number
     : sense_(sense),
       border_(enclose(border)),
       outer_(with_radius(border, border.radius + width)),
-      shortest_(kNoDirection * enclose(width).hi) {
+      shortest_(kNoDirection * enclose(width).sup()) {
   if (inner_radius(border) > width) inner_ = eroded(border, width);
   if (inner_) enclosed_inner_ = enclose(*inner_);
 }
 
 bool BorderSense::is_nearly_inside(const IntervalVector& point) const {
   if (inner_->radius.sign() > 0) {
-    return squared_distance_to_core(enclosed_inner_, point).hi < enclosed_inner_.radius2.lo;
+    return squared_distance_to_core(enclosed_inner_, point).sup() < enclosed_inner_.radius2.inf();
   }
-  return absolute(point.x).hi < enclosed_inner_.core_p.lo &&
-         absolute(point.y).hi < enclosed_inner_.core_q.lo;
+  return abs(point.x()).sup() < enclosed_inner_.core_p.inf() &&
+         abs(point.y()).sup() < enclosed_inner_.core_q.inf();
 }
 
 bool BorderSense::goes_against(const Track& track) const {
   // Straight out of the area: from the core's nearest point or, within it, through the nearest
   // side.
-  const double depth_p = std::fabs(track.x) - border_.core_p.middle();
-  const double depth_q = std::fabs(track.y) - border_.core_q.middle();
+  const double depth_p = std::fabs(track.x) - median(border_.core_p);
+  const double depth_q = std::fabs(track.y) - median(border_.core_q);
   double nx = std::copysign(std::max(0.0, depth_p), track.x);
   double ny = std::copysign(std::max(0.0, depth_q), track.y);
   if (depth_p <= 0 && depth_q <= 0) {
@@ -64,9 +64,9 @@ Against BorderSense::along(const LinePiece& whole_line) const {
     const LinePiece piece = open.back();
     open.pop_back();
     if (lies_outside(piece, enclosed_inner_)) continue;
-    const IntervalVector middle = Interval{0.5, 0.5} * (piece.a + piece.b);
+    const IntervalVector middle = Interval(0.5) * (piece.a + piece.b);
     if (is_nearly_inside(middle)) return Against::no;
-    if (budget <= 0 || !(norm(piece.b - piece.a).hi > kBeside)) {
+    if (budget <= 0 || !(norm(piece.b - piece.a).sup() > kBeside)) {
       result = Against::undecided;
       continue;
     }
@@ -77,11 +77,12 @@ Against BorderSense::along(const LinePiece& whole_line) const {
 }
 
 Against BorderSense::of_line(const Line& line) const {
-  if (!inner_ || !(line.length.lo > shortest_)) return Against::no;
+  if (!inner_ || !(line.length.inf() > shortest_)) return Against::no;
   if (is_nearly_inside(line.a) || is_nearly_inside(line.b)) return Against::no;
   const IntervalVector d = line.b - line.a;
-  const IntervalVector m = Interval{0.5, 0.5} * (line.a + line.b);
-  if (!goes_against({m.x.middle(), m.y.middle(), d.x.middle(), d.y.middle()})) return Against::no;
+  const IntervalVector m = Interval(0.5) * (line.a + line.b);
+  if (!goes_against({median(m.x()), median(m.y()), median(d.x()), median(d.y())}))
+    return Against::no;
   if (!contains(outer_, line.from) || !contains(outer_, line.to)) return Against::no;
   if (is_beside(line)) return Against::yes;
   return along(LinePiece{line.a, line.b});
@@ -98,15 +99,15 @@ bool BorderSense::touches(const PlanePoint& at) const {
 }
 
 bool BorderSense::is_long_enough(const PlanePoint& from, const PlanePoint& to) const {
-  return norm(enclose(to) - enclose(from)).lo > shortest_;
+  return norm(enclose(to) - enclose(from)).inf() > shortest_;
 }
 
 bool BorderSense::goes_against(const PlanePoint& from, const PlanePoint& to) const {
   const IntervalVector a = enclose(from);
   const IntervalVector b = enclose(to);
   const IntervalVector d = b - a;
-  const IntervalVector m = Interval{0.5, 0.5} * (a + b);
-  return goes_against({m.x.middle(), m.y.middle(), d.x.middle(), d.y.middle()});
+  const IntervalVector m = Interval(0.5) * (a + b);
+  return goes_against({median(m.x()), median(m.y()), median(d.x()), median(d.y())});
 }
 
 Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
@@ -115,13 +116,13 @@ Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
     const Stretch stretch = open.back();
     open.pop_back();
     const bool short_enough =
-        stretch.turns == 0 && !stretch.wide && dot(stretch.ua, stretch.ub).lo > 0;
+        stretch.turns == 0 && !stretch.wide && scalar_product(stretch.ua, stretch.ub).inf() > 0;
     // A spiral's stretch as all circles between its radii.
     const CirclePiece piece{arc.c, hull(stretch.ra, stretch.rb), stretch.ua, stretch.ub};
     if (short_enough && lies_outside(piece, enclosed_inner_)) continue;
     const auto parts = halves(stretch);
     if (is_nearly_inside(arc.c + parts[0].rb * parts[0].ub)) return Against::no;
-    const double size = norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi;
+    const double size = norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).sup();
     if (budget <= 0 || (short_enough && !(size > kBeside))) {
       result = Against::undecided;
       continue;
@@ -139,13 +140,13 @@ Against BorderSense::of_arc(const Arc& arc, bool counterclockwise) const {
   const Stretch stretch = whole(arc);
   if (arc.turns > 0 || arc.full || stretch.wide) {
     // More than half round the border: it goes as it turns.
-    if (!(2 * std::min(arc.ra.lo, arc.rb.lo) > shortest_)) return Against::no;
+    if (!(2 * std::min(arc.ra.inf(), arc.rb.inf()) > shortest_)) return Against::no;
     if (counterclockwise == (sense_ > 0)) return Against::no;
   } else {
     const IntervalVector d = counterclockwise ? b - a : a - b;
-    if (!(norm(d).lo > shortest_)) return Against::no;
+    if (!(norm(d).inf() > shortest_)) return Against::no;
     const IntervalVector m = arc.c + halves(stretch)[0].rb * halves(stretch)[0].ub;
-    if (!goes_against({m.x.middle(), m.y.middle(), d.x.middle(), d.y.middle()})) {
+    if (!goes_against({median(m.x()), median(m.y()), median(d.x()), median(d.y())})) {
       return Against::no;
     }
   }

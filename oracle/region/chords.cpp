@@ -21,17 +21,16 @@ bool is_line(const LevelMotion& motion) {
 // By enclosures, then exactly. R is a b c / (2 |cross|) of the three sides.
 std::optional<bool> near_circle(const IntervalVector& first, const IntervalVector& second,
                                 Interval limit) {
-  if (dot(first, second).hi <= 0) return false;
-  const Interval a2 = norm_squared(first);
-  const Interval b2 = norm_squared(second);
+  if (scalar_product(first, second).sup() <= 0) return false;
+  const Interval a2 = first.squared_length();
+  const Interval b2 = second.squared_length();
   const Interval sides = norm(first) * norm(second) * norm(first + second);
   // c^2 + 4 h^2 <= 8 R h, times |cross| / 4.
-  const Interval longest = {std::max(a2.lo, b2.lo), std::max(a2.hi, b2.hi)};
-  const Interval four{4, 4};
-  const Interval left = (longest + four * square(limit)) * absolute(cross(first, second));
-  const Interval right = four * sides * limit;
-  if (left.lo > right.hi) return false;
-  if (left.hi <= right.lo && dot(first, second).lo > 0) return true;
+  const Interval longest = CGAL::max(a2, b2);
+  const Interval left = (longest + 4.0 * square(limit)) * abs(determinant(first, second));
+  const Interval right = 4.0 * sides * limit;
+  if (left.inf() > right.sup()) return false;
+  if (left.sup() <= right.inf() && scalar_product(first, second).inf() > 0) return true;
   return std::nullopt;
 }
 
@@ -81,7 +80,7 @@ ChordTurning turning_of(std::span<const LevelMotion> motions, const std::vector<
                         int sense, const Number& shortest) {
   // Angles in doubles: a sum of so many is off by less than this; what is nearer stays undecided.
   constexpr double kMost = kQuarterTurn * std::numbers::pi;
-  const double least = enclose(shortest).hi;
+  const double least = enclose(shortest).sup();
   ChordTurning result;
   bool in_row = false;
   bool has_direction = false;
@@ -99,11 +98,11 @@ ChordTurning turning_of(std::span<const LevelMotion> motions, const std::vector<
       in_row = true;
       has_direction = false;
       turned = most = 0;
-      x = from.x.middle();
-      y = from.y.middle();
+      x = median(from.x());
+      y = median(from.y());
     }
-    const double nx = to.x.middle() - x;
-    const double ny = to.y.middle() - y;
+    const double nx = median(to.x()) - x;
+    const double ny = median(to.y()) - y;
     if (std::hypot(nx, ny) <= least) continue;
     if (has_direction) {
       turned += sense * std::atan2(dx * ny - dy * nx, dx * nx + dy * ny);
@@ -115,8 +114,8 @@ ChordTurning turning_of(std::span<const LevelMotion> motions, const std::vector<
     has_direction = true;
     dx = nx;
     dy = ny;
-    x = to.x.middle();
-    y = to.y.middle();
+    x = median(to.x());
+    y = median(to.y());
   }
   return result;
 }

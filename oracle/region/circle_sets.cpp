@@ -207,6 +207,8 @@ Remainder remainder_of(const RoundedRectangle& area, const std::optional<Window>
 
 Remainder uncovered_remainder(const RoundedRectangle& area, const std::optional<Window>& window,
                               const std::vector<Shape>& shapes) {
+  // The kernel's filters count on it; the region rules ask while they round outward.
+  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   try {
     return remainder_of(area, window, shapes);
   } catch (const CGAL::Failure_exception& error) {

@@ -28,14 +28,16 @@ class Decision {
         target_(target),
         bands_(bands.bands),
         area_(enclose(target.area)),
-        reach_(enclose(target.reach).middle()),
+        reach_(median(enclose(target.reach))),
         grid_(bands_, half_side(), reach_) {}
 
   Coverage by_filter();
   Coverage by_circle_sets();
 
  private:
-  double half_side() const { return std::max(area_.core_p.hi, area_.core_q.hi) + area_.radius.hi; }
+  double half_side() const {
+    return std::max(area_.core_p.sup(), area_.core_q.sup()) + area_.radius.sup();
+  }
   bool is_asked_for(const PlanePoint& point) const {
     if (!contains(target_.area, point)) return false;
     return !target_.cleared || !contains(*target_.cleared, point);
@@ -197,10 +199,10 @@ Coverage check_coverage(const Path& path, const Target& target, const Number& to
   const bool spirals =
       std::any_of(path.arcs.begin(), path.arcs.end(), [](const Arc& arc) { return !arc.round; });
   Coverage result;
-  double finest = enclose(target.reach).lo;
+  double finest = enclose(target.reach).inf();
   for (const double cuts : kSpiralCuts) {
     // Where a spiral takes too many parts, wider ones still prove a hole, and most that is covered.
-    double width = enclose(tolerance).lo / cuts;
+    double width = enclose(tolerance).inf() / cuts;
     auto bands = make_bands(path, target.reach, width);
     while (!bands && width * kWiderCut < finest) {
       width *= kWiderCut;

@@ -9,20 +9,20 @@ namespace gonogo::oracle::region {
 
 Interval distance_to_round(const Arc& arc, const IntervalVector& point) {
   const IntervalVector offset = point - arc.c;
-  const Interval to_circle = absolute(norm(offset) - arc.ra);
+  const Interval to_circle = abs(norm(offset) - arc.ra);
   if (arc.full) return to_circle;
-  const Interval left_of_a = cross(arc.ua, offset);
-  const Interval right_of_b = cross(offset, arc.ub);
-  const bool before = left_of_a.hi < 0;
-  const bool after = right_of_b.hi < 0;
-  const bool in = arc.sweep.wide ? left_of_a.lo > 0 || right_of_b.lo > 0
-                                 : left_of_a.lo > 0 && right_of_b.lo > 0;
+  const Interval left_of_a = determinant(arc.ua, offset);
+  const Interval right_of_b = determinant(offset, arc.ub);
+  const bool before = left_of_a.sup() < 0;
+  const bool after = right_of_b.sup() < 0;
+  const bool in = arc.sweep.wide ? left_of_a.inf() > 0 || right_of_b.inf() > 0
+                                 : left_of_a.inf() > 0 && right_of_b.inf() > 0;
   if (in) return to_circle;
   const Interval a = norm(offset - arc.ra * arc.ua);
   const Interval b = norm(offset - arc.ra * arc.ub);
-  const Interval to_end{std::min(a.lo, b.lo), std::min(a.hi, b.hi)};
+  const Interval to_end = CGAL::min(a, b);
   const bool out = arc.sweep.wide ? before && after : before || after;
-  return out ? to_end : Interval{std::min(to_circle.lo, to_end.lo), to_end.hi};
+  return out ? to_end : Interval{std::min(to_circle.inf(), to_end.inf()), to_end.sup()};
 }
 
 namespace {
@@ -30,15 +30,13 @@ namespace {
 Interval distance_to_stretch(const Arc& arc, const Stretch& stretch, const IntervalVector& point) {
   const IntervalVector offset = point - arc.c;
   const Interval radius = hull(stretch.ra, stretch.rb);
-  Interval distance = absolute(norm(offset) - radius);
-  const Interval at_a = norm(offset - stretch.ra * stretch.ua);
-  distance.hi = at_a.hi;
-  if (stretch.turns > 0 || stretch.wide) return distance;
+  const double least = abs(norm(offset) - radius).inf();
+  const double at_a = norm(offset - stretch.ra * stretch.ua).sup();
+  if (stretch.turns > 0 || stretch.wide) return {least, at_a};
   // All of it lies in a disc about the point at its middle direction and end radius.
   const IntervalVector m = middle_direction(stretch.ua, stretch.ub, false);
-  const Interval size = radius * norm(m - stretch.ua) + absolute(stretch.rb - stretch.ra);
-  distance.lo = std::max(distance.lo, (norm(offset - stretch.ra * m) - size).lo);
-  return distance;
+  const Interval size = radius * norm(m - stretch.ua) + abs(stretch.rb - stretch.ra);
+  return {std::max(least, (norm(offset - stretch.ra * m) - size).inf()), at_a};
 }
 
 // A lower bound of the distance that is above `reach`, if one shows.
@@ -50,11 +48,11 @@ std::optional<double> clear_of_spiral(const Arc& arc, const IntervalVector& poin
     const Stretch stretch = open.back();
     open.pop_back();
     const Interval distance = distance_to_stretch(arc, stretch, point);
-    upper = std::min(upper, distance.hi);
-    if (upper <= reach.hi || budget <= 0) return std::nullopt;
+    upper = std::min(upper, distance.sup());
+    if (upper <= reach.sup() || budget <= 0) return std::nullopt;
     // Good enough once it is clear, or as close as the midway to the nearest point known.
-    if (distance.lo > reach.hi + (upper - reach.hi) * kAlmost) {
-      least = std::min(least, distance.lo);
+    if (distance.inf() > reach.sup() + (upper - reach.sup()) * kAlmost) {
+      least = std::min(least, distance.inf());
       continue;
     }
     const auto parts = halves(stretch);
@@ -117,10 +115,10 @@ struct Nearest {
       return true;
     }
     const Interval distance = distance_to_round(arc, approximate);
-    if (distance.hi < limit.lo) return false;
-    if (!(distance.lo > limit.hi) && !beyond_round(arc, point, reach)) return false;
-    if (distance.lo <= upper) arcs.emplace_back(distance.lo, &arc);
-    upper = std::min(upper, distance.hi);
+    if (distance.sup() < limit.inf()) return false;
+    if (!(distance.inf() > limit.sup()) && !beyond_round(arc, point, reach)) return false;
+    if (distance.inf() <= upper) arcs.emplace_back(distance.inf(), &arc);
+    upper = std::min(upper, distance.sup());
     return true;
   }
   bool take(const PlanePoint& visited) {
@@ -131,10 +129,10 @@ struct Nearest {
   }
   bool take(const Line& line) {
     const Interval distance = square_root(squared_distance(line, approximate));
-    if (distance.hi < limit.lo) return false;
-    const bool clear = distance.lo > limit.hi;
-    if (clear && distance.lo > upper) return true;
-    upper = std::min(upper, distance.hi);
+    if (distance.sup() < limit.inf()) return false;
+    const bool clear = distance.inf() > limit.sup();
+    if (clear && distance.inf() > upper) return true;
+    upper = std::min(upper, distance.sup());
     const Number d2 = squared_distance(line, point);
     if (!clear && d2 <= reach * reach) return false;
     distances.push_back(exact::sqrt(d2));

@@ -76,8 +76,8 @@ class SpiralReach {
 // An upper bound of the squared distance from the core over the stretch.
 double SpiralReach::squared_distance(const Stretch& stretch) const {
   const Interval radius = hull(stretch.ra, stretch.rb);
-  if (stretch.turns > 0 || stretch.wide || !(dot(stretch.ua, stretch.ub).lo > 0)) {
-    return square(square_root(squared_distance_to_core(limit_, arc_.c)) + radius).hi;
+  if (stretch.turns > 0 || stretch.wide || !(scalar_product(stretch.ua, stretch.ub).inf() > 0)) {
+    return square(square_root(squared_distance_to_core(limit_, arc_.c)) + radius).sup();
   }
   const auto along = [&stretch](const IntervalVector& d) {
     return projection(stretch.ua, stretch.ub, d);
@@ -86,13 +86,13 @@ double SpiralReach::squared_distance(const Stretch& stretch) const {
   // No point is farther from the core than from a corner of it.
   for (const Corner& corner : corners_) {
     const IntervalVector c = arc_.c - enclose(corner.at);
-    const Interval d2 = norm_squared(c) + square(radius) + Interval{2, 2} * radius * along(c);
-    least = std::min(least, d2.hi);
+    const Interval d2 = c.squared_length() + square(radius) + 2.0 * radius * along(c);
+    least = std::min(least, d2.sup());
   }
   if (limit_.is_disc()) return least;
-  const IntervalVector box{arc_.c.x + radius * along(exactly(1, 0)),
-                           arc_.c.y + radius * along(exactly(0, 1))};
-  return std::min(least, squared_distance_to_core(limit_, box).hi);
+  const IntervalVector box{arc_.c.x() + radius * along(IntervalVector(1, 0)),
+                           arc_.c.y() + radius * along(IntervalVector(0, 1))};
+  return std::min(least, squared_distance_to_core(limit_, box).sup());
 }
 
 Reach SpiralReach::farthest() const {
@@ -101,15 +101,14 @@ Reach SpiralReach::farthest() const {
   for (int budget = kMostStretches; !open.empty() && budget > 0; --budget) {
     const Stretch stretch = open.back();
     open.pop_back();
-    if (squared_distance(stretch) <= limit_.radius2.lo) continue;
+    if (squared_distance(stretch) <= limit_.radius2.inf()) continue;
     const auto parts = halves(stretch);
     const IntervalVector point = arc_.c + parts[0].rb * parts[0].ub;
     const Interval distance = square_root(squared_distance_to_core(limit_, point));
-    if (distance.lo > limit_.radius.hi) {
-      const PlanePoint witness{to_number(point.x.middle()), to_number(point.y.middle())};
-      return outside(witness, to_number((distance - limit_.radius).lo));
+    if (distance.inf() > limit_.radius.sup()) {
+      return outside(middle_of(point), to_number((distance - limit_.radius).inf()));
     }
-    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi < kBeside && !stretch.wide &&
+    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).sup() < kBeside && !stretch.wide &&
         stretch.turns == 0) {
       undecided = true;
       continue;
@@ -129,10 +128,11 @@ Reach reach_of_point(const PlanePoint& point, const RoundedRectangle& limit) {
 }
 
 Reach reach_of_arc(const Arc& arc, const RoundedRectangle& limit) {
+  const Rounding outward;
   const Interval radius = hull(arc.ra, arc.rb);
   const EnclosedRectangle around = enclose(limit);
   const Interval centre = square_root(squared_distance_to_core(around, arc.c));
-  if ((centre + radius).hi <= around.radius.lo) return {};
+  if ((centre + radius).sup() <= around.radius.inf()) return {};
   for (const PlanePoint& end : {arc.end_a(), arc.end_b()}) {
     Reach reach = reach_of_point(end, limit);
     if (reach.kind != Reach::Kind::inside) return reach;

@@ -4,6 +4,7 @@
 namespace gonogo::oracle::region {
 
 Line make_line(const PlanePoint& from, const PlanePoint& to) {
+  const Rounding outward;
   Line line{from, to, enclose(from), enclose(to), {}, {}};
   const IntervalVector d = enclose(to - from);
   line.length = norm(d);
@@ -13,8 +14,8 @@ Line make_line(const PlanePoint& from, const PlanePoint& to) {
 
 std::optional<Line> joined(const Line& first, const Line& second) {
   if (!(first.to == second.from)) return std::nullopt;
-  const Interval side = cross(first.u, second.u);
-  if (side.lo > 0 || side.hi < 0) return std::nullopt;
+  const Interval side = determinant(first.u, second.u);
+  if (side.inf() > 0 || side.sup() < 0) return std::nullopt;
   const PlanePoint early = first.to - first.from;
   const PlanePoint late = second.to - second.from;
   if (cross(early, late).sign() != 0 || dot(early, late).sign() < 0) return std::nullopt;
@@ -39,14 +40,14 @@ Interval squared_distance(const Line& line, const IntervalVector& point) {
 Interval squared_distance(const IntervalVector& a, const IntervalVector& b, const IntervalVector& u,
                           Interval length, const IntervalVector& point) {
   const IntervalVector offset = point - a;
-  const Interval at = dot(offset, u);
-  const Interval to_a = norm_squared(offset);
-  if (at.hi <= 0) return to_a;
-  const Interval to_b = norm_squared(point - b);
-  if (at.lo >= length.hi) return to_b;
-  const Interval aside = square(cross(u, offset));
-  if (at.lo >= 0 && at.hi <= length.lo) return aside;
-  return {aside.lo, std::min(to_a.hi, to_b.hi)};
+  const Interval at = scalar_product(offset, u);
+  const Interval to_a = offset.squared_length();
+  if (at.sup() <= 0) return to_a;
+  const Interval to_b = (point - b).squared_length();
+  if (at.inf() >= length.sup()) return to_b;
+  const Interval aside = square(determinant(u, offset));
+  if (at.inf() >= 0 && at.sup() <= length.inf()) return aside;
+  return {aside.inf(), std::min(to_a.sup(), to_b.sup())};
 }
 
 }  // namespace gonogo::oracle::region

@@ -11,8 +11,9 @@ namespace {
 
 // Strictly, whichever way rounding falls.
 bool surely_inside(const EnclosedRectangle& shape, const IntervalVector& point) {
-  if (shape.radius.lo > 0) return squared_distance_to_core(shape, point).hi < shape.radius2.lo;
-  return absolute(point.x).hi < shape.core_p.lo && absolute(point.y).hi < shape.core_q.lo;
+  if (shape.radius.inf() > 0)
+    return squared_distance_to_core(shape, point).sup() < shape.radius2.inf();
+  return abs(point.x()).sup() < shape.core_p.inf() && abs(point.y()).sup() < shape.core_q.inf();
 }
 
 bool is_turning(const LevelMotion& motion) {
@@ -38,7 +39,7 @@ std::vector<IntervalVector> places_along(const Arc& arc) {
 std::vector<IntervalVector> places_along(const Line& line) {
   std::vector<IntervalVector> places;
   for (double k = 0; k <= kPiecesOfWay; ++k) {
-    const Interval part = Interval{k, k} / Interval{kPiecesOfWay, kPiecesOfWay};
+    const Interval part = Interval(k) / Interval(kPiecesOfWay);
     places.push_back(line.a + part * (line.b - line.a));
   }
   return places;
@@ -47,6 +48,7 @@ std::vector<IntervalVector> places_along(const Line& line) {
 }  // namespace
 
 void MilledFloor::add(const LevelMotion& motion) {
+  const Rounding outward;
   std::vector<IntervalVector> places;
   if (is_turning(motion)) {
     const Arc arc = make_arc(motion, {});
@@ -62,14 +64,14 @@ void MilledFloor::add(const LevelMotion& motion) {
 
 void MilledFloor::add_way(const IntervalVector& from, const IntervalVector& to) {
   if (!surely_inside(roughed_, from) || !surely_inside(roughed_, to)) return;
-  const double length = norm(to - from).lo;
-  way_ = way_ + Interval{length, length};
+  const double length = norm(to - from).inf();
+  way_ = way_ + Interval(length);
 }
 
 bool MilledFloor::is_milled(const PlanePoint& place) const {
   const IntervalVector at = enclose(place);
-  const double reach = enclose(radius_).lo;
-  const auto is_near = [&](Interval distance) { return distance.hi <= reach; };
+  const double reach = enclose(radius_).inf();
+  const auto is_near = [&](Interval distance) { return distance.sup() <= reach; };
   return std::ranges::any_of(
              path_.lines,
              [&](const Line& line) { return is_near(square_root(squared_distance(line, at))); }) ||
@@ -80,9 +82,10 @@ bool MilledFloor::is_milled(const PlanePoint& place) const {
 }
 
 std::optional<PlanePoint> MilledFloor::milled_place() const {
+  const Rounding outward;
   const Number half_sides = area_.core_p + area_.core_q + (area_.radius - radius_) * Number(2);
   const auto rest = eroded(area_, radius_ * Number(2));
-  if (!rest || !(way_.lo > enclose(half_sides * Number(2)).hi)) return std::nullopt;
+  if (!rest || !(way_.inf() > enclose(half_sides * Number(2)).sup())) return std::nullopt;
   const Number half_p = rest->core_p + rest->radius;
   const Number half_q = rest->core_q + rest->radius;
   int all = 0, milled = 0;

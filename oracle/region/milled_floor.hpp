@@ -30,7 +30,7 @@ class MilledFloor {
   EnclosedRectangle roughed_;
   Path path_;                           // its lines and round arcs
   std::vector<IntervalVector> places_;  // of spirals
-  Interval way_;                        // at least
+  Interval way_ = 0;                    // at least
 };
 
 }  // namespace gonogo::oracle::region

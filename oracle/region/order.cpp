@@ -15,13 +15,12 @@ namespace {
 Band narrowed(Band band, Interval by) {
   band.outer = band.outer - by;
   band.inner = band.inner + by;
-  band.inner2 = square(Interval{std::max(band.inner.lo, 0.0), std::max(band.inner.hi, 0.0)});
-  band.outer2 = square(band.outer);
+  band.square_radii();
   return band;
 }
 
 bool is_at_most_quarter(const Stretch& stretch) {
-  return stretch.turns == 0 && !stretch.wide && dot(stretch.ua, stretch.ub).lo >= 0;
+  return stretch.turns == 0 && !stretch.wide && scalar_product(stretch.ua, stretch.ub).inf() >= 0;
 }
 
 }  // namespace
@@ -102,7 +101,7 @@ class OrderCheck {
         units_(path.units_),
         bands_(path.bands_),
         stations_(units_),
-        grid_(bands_, half_side, path.reach_.hi),
+        grid_(bands_, half_side, path.reach_.sup()),
         budget_(kPiecesPerUnit * units_.size() + kPiecesOnTop) {}
 
   CutOrder run();
@@ -143,7 +142,7 @@ class OrderCheck {
 };
 
 IntervalVector OrderCheck::middle_of(const CutUnit& unit, const Part& part) const {
-  if (unit.is_line) return Interval{0.5, 0.5} * (part.from + part.to);
+  if (unit.is_line) return Interval(0.5) * (part.from + part.to);
   const Stretch half = halves(part.stretch)[0];
   return unit.c + half.rb * half.ub;
 }
@@ -186,11 +185,11 @@ bool OrderCheck::is_supported(std::size_t unit, const Part& part) {
   const Piece piece = piece_of(whole_unit, part);
   if (lies_in(piece, 0)) return true;
   const IntervalVector middle = middle_of(whole_unit, part);
-  const Interval spread = whole_unit.is_line ? Interval{} : part.stretch.ra - part.stretch.rb;
+  const Interval spread = whole_unit.is_line ? Interval(0) : part.stretch.ra - part.stretch.rb;
   const Interval to_from = norm(part.from - middle);
   const Interval to_end = norm(part.to - middle);
-  const double size = std::max(to_from.hi, to_end.hi) + absolute(spread).hi;
-  const std::int64_t last = last_support(unit, middle, {size, above(size)});
+  const double size = std::max(to_from.sup(), to_end.sup()) + abs(spread).sup();
+  const std::int64_t last = last_support(unit, middle, {size, size});
   if (last < 0) return false;
   const auto counts = [&](std::size_t band) {
     return band > 0 && static_cast<std::int64_t>(bands_[band].unit) <= last;
@@ -203,24 +202,22 @@ bool OrderCheck::is_supported(std::size_t unit, const Part& part) {
     remember(unit, index, place);
     return true;
   }
-  for (const std::uint32_t band : grid_.near(middle.x.middle(), middle.y.middle())) {
+  for (const std::uint32_t band : grid_.near(median(middle.x()), median(middle.y()))) {
     if (!counts(band) || !lies_in(piece, band)) continue;
     remember(unit, band, recent_.size());
     return true;
   }
-  const bool is_small = size * 16 < path_.reach_.lo;
-  return whole_unit.clears && is_small &&
-         is_supported_nearer(unit, piece, middle, {size, above(size)});
+  const bool is_small = size * 16 < path_.reach_.inf();
+  return whole_unit.clears && is_small && is_supported_nearer(unit, piece, middle, {size, size});
 }
 
 // The same for a smaller reach. Where the path was out of the larger one only just, or not quite,
 // it was out of the smaller one.
 bool OrderCheck::is_supported_nearer(std::size_t unit, const Piece& piece,
                                      const IntervalVector& middle, Interval size) const {
-  const Interval half{0.5, 0.5};
-  const Interval less = half * (path_.reach_ - path_.step_);
+  const Interval less = 0.5 * (path_.reach_ - path_.step_);
   const std::int64_t last = stations_.last_beyond(unit, middle, path_.reach_ - less + size);
-  for (const std::uint32_t index : grid_.near(middle.x.middle(), middle.y.middle())) {
+  for (const std::uint32_t index : grid_.near(median(middle.x()), median(middle.y()))) {
     if (index == 0 || static_cast<std::int64_t>(bands_[index].unit) > last) continue;
     const Band band = narrowed(bands_[index], less);
     if (std::visit([&](const auto& curve) { return lies_inside(curve, band); }, piece)) return true;
@@ -230,9 +227,9 @@ bool OrderCheck::is_supported_nearer(std::size_t unit, const Piece& piece,
 
 // A hint only.
 bool OrderCheck::seems_supported(std::size_t unit, const IntervalVector& at) const {
-  const std::int64_t last = last_support(unit, at, {});
-  const double x = at.x.middle();
-  const double y = at.y.middle();
+  const std::int64_t last = last_support(unit, at, 0);
+  const double x = median(at.x());
+  const double y = median(at.y());
   for (const std::uint32_t band : grid_.near(x, y)) {
     const bool counts = band == 0 || static_cast<std::int64_t>(bands_[band].unit) <= last;
     if (counts && rough_distance(bands_[band], x, y) <= 0) return true;
@@ -264,7 +261,7 @@ std::optional<CutOrder> OrderCheck::refute(std::size_t unit, const Part& part) {
     best.emplace();
     best->kind = CutOrder::Kind::broken;
     best->record = whole_unit.record;
-    best->witness = {to_number(upto.to.x.middle()), to_number(upto.to.y.middle())};
+    best->witness = region::middle_of(upto.to);
     best->distance = to_number(*distance);
   }
   return best;
@@ -280,7 +277,7 @@ std::optional<CutOrder> OrderCheck::walk(std::size_t unit) {
     if (!seems_supported(unit, middle_of(whole_unit, part))) {
       if (auto broken = refute(unit, part)) return broken;
     }
-    if (budget_ == 0 || !(norm(part.to - part.from).hi > kEstimate)) {
+    if (budget_ == 0 || !(norm(part.to - part.from).sup() > kEstimate)) {
       undecided_ = true;
       return std::nullopt;
     }

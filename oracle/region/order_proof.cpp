@@ -8,8 +8,6 @@
 namespace gonogo::oracle::region {
 namespace {
 
-constexpr Interval kTwo{2, 2};
-
 class Proof {
  public:
   Proof(const IntervalVector& at, const Support& support)
@@ -20,17 +18,18 @@ class Proof {
     const Interval radius = hull(stretch.ra, stretch.rb);
     const IntervalVector d = unit.c - at_;
     const Interval along = projection(stretch.ua, stretch.ub, d);
-    return square_root(square(radius) + norm_squared(d) + kTwo * radius * along);
+    return square_root(square(radius) + d.squared_length() + 2.0 * radius * along);
   }
   Interval distance_to_line(const CutUnit& unit) const {
     const Interval from = norm(unit.begin - at_);
     const Interval to = norm(unit.end - at_);
     const Interval length = norm(unit.end - unit.begin);
-    const double farthest = std::max(from.hi, to.hi);
-    if (!(length.lo > 0)) return {std::max(0.0, std::min(from.lo, to.lo) - length.hi), farthest};
+    const double farthest = std::max(from.sup(), to.sup());
+    if (!(length.inf() > 0))
+      return {std::max(0.0, std::min(from.inf(), to.inf()) - length.sup()), farthest};
     const IntervalVector u = region::unit(unit.end - unit.begin);
     const Interval nearest = square_root(squared_distance(unit.begin, unit.end, u, length, at_));
-    return {nearest.lo, farthest};
+    return {nearest.inf(), farthest};
   }
 
   bool take(const CutUnit& unit, const Stretch& stretch, int depth = 0);
@@ -41,8 +40,8 @@ class Proof {
 
   // Remembers the distance of what is surely out of reach.
   bool notes(Interval distance) {
-    if (!(distance.lo > reach_.hi)) return false;
-    least_ = std::min(least_, distance.lo);
+    if (!(distance.inf() > reach_.sup())) return false;
+    least_ = std::min(least_, distance.inf());
     return true;
   }
   double least() const { return least_; }
@@ -51,7 +50,7 @@ class Proof {
   // Whether the path comes nearer all along.
   bool approaches(const CutUnit& unit, const Stretch& stretch) const;
   bool approaches_on_line(const CutUnit& unit) const {
-    return dot(unit.end - unit.begin, unit.end - at_).hi < 0;
+    return scalar_product(unit.end - unit.begin, unit.end - at_).sup() < 0;
   }
 
   IntervalVector at_;
@@ -69,12 +68,11 @@ bool Proof::approaches(const CutUnit& unit, const Stretch& stretch) const {
   const Interval chord = norm(stretch.ub - stretch.ua);
   // An angle up to 90 degrees is at most 1.1108 times its chord.
   const Interval angle = chord * Interval{1, 1.1108};
-  const Interval slope = stretch.ra.lo == stretch.rb.lo && stretch.ra.hi == stretch.rb.hi
-                             ? Interval{}
-                             : (stretch.rb - stretch.ra) / angle;
+  const Interval slope =
+      stretch.ra.is_same(stretch.rb) ? Interval(0) : (stretch.rb - stretch.ra) / angle;
   const Interval growth = slope * (r + projection(stretch.ua, stretch.ub, w)) +
-                          r * projection(stretch.ua, stretch.ub, {w.y, -w.x});
-  return unit.counterclockwise ? growth.hi < 0 : growth.lo > 0;
+                          r * projection(stretch.ua, stretch.ub, w.perpendicular(CGAL::CLOCKWISE));
+  return unit.counterclockwise ? growth.sup() < 0 : growth.inf() > 0;
 }
 
 // Backwards in time. What is within reach supports the place once the path was farther off since;
@@ -85,7 +83,7 @@ bool Proof::take(const CutUnit& unit, const Stretch& stretch, int depth) {
     was_out_ = true;
     return true;
   }
-  if (!was_out_ && d.hi <= step_.lo) return true;
+  if (!was_out_ && d.sup() <= step_.inf()) return true;
   if (!was_out_ && approaches(unit, stretch)) {
     was_out_ = true;
     return true;
@@ -99,7 +97,7 @@ bool Proof::take(const CutUnit& unit, const Stretch& stretch, int depth) {
 bool Proof::take_line(const CutUnit& unit) {
   const Interval d = distance_to_line(unit);
   if (!unit.clears) {
-    was_out_ = was_out_ || !(d.hi <= step_.lo);
+    was_out_ = was_out_ || !(d.sup() <= step_.inf());
     return true;
   }
   if (notes(d)) {
@@ -107,14 +105,14 @@ bool Proof::take_line(const CutUnit& unit) {
     return true;
   }
   if (was_out_) return false;
-  if (d.hi <= step_.lo) return true;
+  if (d.sup() <= step_.inf()) return true;
   was_out_ = true;
   return approaches_on_line(unit);
 }
 
 bool Proof::is_out(const CutUnit& unit, const Stretch& stretch, int depth) {
   if (notes(distance(unit, stretch))) return true;
-  if (depth == kMostHalvings || distance(unit, stretch).hi <= reach_.lo) return false;
+  if (depth == kMostHalvings || distance(unit, stretch).sup() <= reach_.inf()) return false;
   const auto parts = halves(stretch);
   return is_out(unit, parts[0], depth + 1) && is_out(unit, parts[1], depth + 1);
 }

@@ -11,10 +11,9 @@ Number beyond(const Number& coordinate, const Number& half) {
 }
 
 Interval beyond(Interval coordinate, Interval half) {
-  const Interval size = absolute(coordinate);
-  if (half.hi == 0) return size;
-  const Interval excess = size - half;
-  return {std::max(0.0, excess.lo), std::max(0.0, excess.hi)};
+  const Interval size = abs(coordinate);
+  if (half.sup() == 0) return size;
+  return CGAL::max(size - half, Interval(0));
 }
 
 }  // namespace
@@ -59,18 +58,19 @@ std::vector<Corner> corners_of(const RoundedRectangle& shape) {
 }
 
 EnclosedRectangle enclose(const RoundedRectangle& shape) {
+  const Rounding outward;
   const Interval radius = enclose(shape.radius);
   return {enclose(shape.core_p), enclose(shape.core_q), radius, square(radius)};
 }
 
 Interval squared_distance_to_core(const EnclosedRectangle& shape, const IntervalVector& point) {
-  return square(beyond(point.x, shape.core_p)) + square(beyond(point.y, shape.core_q));
+  return square(beyond(point.x(), shape.core_p)) + square(beyond(point.y(), shape.core_q));
 }
 
 double rough_distance(const EnclosedRectangle& shape, double x, double y) {
-  const double dx = std::max(0.0, std::fabs(x) - shape.core_p.lo);
-  const double dy = std::max(0.0, std::fabs(y) - shape.core_q.lo);
-  return std::sqrt(dx * dx + dy * dy) - shape.radius.lo;
+  const double dx = std::max(0.0, std::fabs(x) - shape.core_p.inf());
+  const double dy = std::max(0.0, std::fabs(y) - shape.core_q.inf());
+  return std::sqrt(dx * dx + dy * dy) - shape.radius.inf();
 }
 
 }  // namespace gonogo::oracle::region

@@ -45,7 +45,7 @@ struct EnclosedRectangle {
   Interval radius;
   Interval radius2;
 
-  bool is_disc() const { return core_p.hi == 0 && core_q.hi == 0; }
+  bool is_disc() const { return core_p.sup() == 0 && core_q.sup() == 0; }
 };
 
 EnclosedRectangle enclose(const RoundedRectangle& shape);

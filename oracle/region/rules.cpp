@@ -58,7 +58,8 @@ class LevelJudge {
         border_(terms.border()),
         surely_(border_, terms.sense, terms.tolerance - terms.slack),
         perhaps_(border_, terms.sense, terms.tolerance + terms.slack),
-        nearby_(enclose(min(terms.tool_radius, inner_radius(border_)) / Number(kSmallOfTool)).lo) {
+        nearby_(
+            enclose(min(terms.tool_radius, inner_radius(border_)) / Number(kSmallOfTool)).inf()) {
     if (terms.chord.sign() > 0) {
       chords_ = find_chords(motions, terms.chord + terms.tolerance);
       along_chords_.emplace(border_, terms.sense, terms.tolerance + terms.chord);
@@ -124,7 +125,7 @@ LevelVerdict LevelJudge::judge() {
     const Number reach =
         *terms_.step + Number(kTwoPlaces) * terms_.tolerance + Number(2) * terms_.chord;
     sequence_.emplace(terms_.plunge - terms_.middle, *terms_.step, reach,
-                      enclose(terms_.tolerance).lo / kBlur);
+                      enclose(terms_.tolerance).inf() / kBlur);
   }
   if (auto verdict = gouge()) return *verdict;
   path_.points.push_back(terms_.plunge - terms_.middle);
@@ -213,11 +214,11 @@ std::optional<LevelVerdict> LevelJudge::sense_round_middle() {
 // Whether the motion stays near where it begins.
 bool LevelJudge::is_small(const LevelMotion& motion) const {
   const IntervalVector way = enclose(motion.to) - enclose(motion.from);
-  if (!(norm(way).hi <= nearby_)) return false;
+  if (!(norm(way).sup() <= nearby_)) return false;
   if (!motion.is_arc || motion.rot == 0) return true;
   if (motion.from == motion.centre || motion.to == motion.centre) return true;
   const Arc arc = make_arc(motion, terms_.middle);
-  return 2 * std::max(arc.ra.hi, arc.rb.hi) <= nearby_ || (arc.turns == 0 && !arc.sweep.wide);
+  return 2 * std::max(arc.ra.sup(), arc.rb.sup()) <= nearby_ || (arc.turns == 0 && !arc.sweep.wide);
 }
 
 // J-PKT-06: small motions in a row that touch the border again and again, as one along it; straight
@@ -232,7 +233,7 @@ std::optional<LevelVerdict> LevelJudge::sense_of_pieces() {
     const PlanePoint to = motion.to - terms_.middle;
     const bool follows = is_chord(i) && border.runs_along(line_of(motion));
     const bool is_near =
-        is_small(motion) && touch && norm(enclose(to) - enclose(*touch)).hi <= nearby_;
+        is_small(motion) && touch && norm(enclose(to) - enclose(*touch)).sup() <= nearby_;
     if (!follows && !is_near) touch.reset();
     if (!border.touches(to)) continue;
     if (!touch) touch = follows ? motion.from - terms_.middle : to;
@@ -369,7 +370,7 @@ std::optional<LevelVerdict> LevelJudge::within(const LevelMotion& motion, const 
 // GSK-CYC-02, J-PKT-05
 std::optional<LevelVerdict> LevelJudge::order() {
   const Number half_side = border_.radius + terms_.tolerance + terms_.chord;
-  const CutOrder order = sequence_->check(enclose(half_side).hi);
+  const CutOrder order = sequence_->check(enclose(half_side).sup());
   if (order.kind == CutOrder::Kind::undecided) {
     doubt(GapReason::comparison,
           "Whether the level is cut from the centre outwards could not be decided.");
@@ -458,6 +459,7 @@ LevelVerdict judge_turns(const Terms& terms, std::span<const LevelMotion> motion
 
 LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> motions,
                             Method method) {
+  const Rounding outward;
   if (motions.size() > kMostMotions)
     return gap(GapReason::cap_level, "The level has more than 50,000 motions.");
   try {

@@ -25,8 +25,8 @@ PlanePoint rational_direction(double x, double y, int bits) {
 // A rational direction a hair inside a sweep that begins at u (side 1) or ends there (side -1).
 PlanePoint direction_inside(const IntervalVector& u, double side) {
   const double hair = std::ldexp(side, -kHairBits);
-  const double x = u.x.middle();
-  const double y = u.y.middle();
+  const double x = median(u.x());
+  const double y = median(u.y());
   return rational_direction(x - hair * y, y + hair * x, kHairBits + 8);
 }
 
@@ -41,7 +41,7 @@ void append_sectors(const CircleShape& ring, const PlanePoint& a, const PlanePoi
     return;
   }
   const IntervalVector m = middle_direction(enclose(a), enclose(b), wide);
-  const PlanePoint middle = rational_direction(m.x.middle(), m.y.middle(), kCoarseBits);
+  const PlanePoint middle = rational_direction(median(m.x()), median(m.y()), kCoarseBits);
   append_sectors(ring, a, middle, false, out);
   append_sectors(ring, middle, b, false, out);
 }
@@ -62,8 +62,8 @@ void append_round(const Band& band, const CircleShape& ring, const Number& radiu
 void append_within(const Band& band, const PlanePoint& centre, double unsure,
                    std::vector<Shape>& out) {
   const Interval shift{unsure, unsure};
-  const double outer = (band.outer - shift).lo;
-  const double inner = band.has_hole() ? (band.inner + shift).hi : 0;
+  const double outer = (band.outer - shift).inf();
+  const double inner = band.has_hole() ? (band.inner + shift).sup() : 0;
   if (!(inner < outer)) return;
   const CircleShape ring{centre, to_number(inner), to_number(outer), std::nullopt};
   if (band.shape != Band::Shape::sector) {
@@ -72,17 +72,19 @@ void append_within(const Band& band, const PlanePoint& centre, double unsure,
   }
   const PlanePoint a = direction_inside(band.ua, 1);
   const PlanePoint b = direction_inside(band.ub, -1);
-  const bool inside = cross(band.ua, enclose(a)).lo > 0 && cross(enclose(b), band.ub).lo > 0;
+  const bool inside =
+      determinant(band.ua, enclose(a)).inf() > 0 && determinant(enclose(b), band.ub).inf() > 0;
   if (inside && unsure == 0) append_sectors(ring, a, b, band.wide, out);
 }
 
 // A band whose centre is known as an enclosure only.
 void append_enclosed(const Band& band, std::vector<Shape>& out) {
-  const double x = band.c.x.middle();
-  const double y = band.c.y.middle();
-  const bool exact = band.c.x.lo == band.c.x.hi && band.c.y.lo == band.c.y.hi;
-  const double unsure = exact ? 0 : norm(band.c - exactly(x, y)).hi;
-  append_within(band, {to_number(x), to_number(y)}, unsure, out);
+  const double x = median(band.c.x());
+  const double y = median(band.c.y());
+  const bool exact = band.c.x().is_point() && band.c.y().is_point();
+  if (!std::isfinite(x) || !std::isfinite(y)) return;  // so far away that nothing is known
+  const double unsure = exact ? 0 : norm(band.c - IntervalVector(x, y)).sup();
+  append_within(band, middle_of(band.c), unsure, out);
 }
 
 // With the exact normal where the line's length is rational, else with one 2^-40 beside it.
@@ -92,7 +94,7 @@ bool append_capsule(const Line& line, const Number& reach, std::vector<Shape>& o
   const Number length = exact::sqrt(norm_squared(d));
   const PlanePoint normal =
       length.is_rational() ? PlanePoint{-d.q / length, d.p / length}
-                           : rational_direction(-line.u.y.middle(), line.u.x.middle(), kHairBits);
+                           : rational_direction(-median(line.u.y()), median(line.u.x()), kHairBits);
   out.push_back(CapsuleShape{line.from, line.to, normal, reach});
   return true;
 }

@@ -15,8 +15,8 @@ Stations::Stations(std::span<const CutUnit> units) : units_(units) {
   while (leaves_ < units.size()) leaves_ *= 2;
   boxes_.assign(2 * leaves_, Box{kFar, -kFar, kFar, -kFar});
   for (std::size_t i = 0; i < units.size(); ++i) {
-    const double x = units[i].end.x.middle();
-    const double y = units[i].end.y.middle();
+    const double x = median(units[i].end.x());
+    const double y = median(units[i].end.y());
     boxes_[leaves_ + i] = {x, x, y, y};
   }
   for (std::size_t k = leaves_ - 1; k > 0; --k) {
@@ -38,9 +38,9 @@ bool Stations::may_be_beyond(const Box& box, double x, double y, double limit) c
 std::int64_t Stations::last_beyond(std::size_t unit, const IntervalVector& point,
                                    Interval limit) const {
   // So far beyond that the enclosures agree.
-  const double x = point.x.middle();
-  const double y = point.y.middle();
-  const double least = limit.hi * (1 + kBeside) + kBeside;
+  const double x = median(point.x());
+  const double y = median(point.y());
+  const double least = limit.sup() * (1 + kBeside) + kBeside;
   // The subtrees that hold the units before `unit`, the last ones first; then down to the right.
   for (std::size_t k = leaves_ + unit; k > 1; k /= 2) {
     if (k % 2 == 0) continue;
@@ -55,7 +55,8 @@ std::int64_t Stations::last_beyond(std::size_t unit, const IntervalVector& point
         continue;
       }
       const std::size_t found = node - leaves_;
-      if (norm(units_[found].end - point).lo > limit.hi) return static_cast<std::int64_t>(found);
+      if (norm(units_[found].end - point).inf() > limit.sup())
+        return static_cast<std::int64_t>(found);
     }
   }
   return -1;

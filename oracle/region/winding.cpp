@@ -19,7 +19,7 @@ struct Place {
 
 Place place(const PlanePoint& point) {
   const IntervalVector enclosed = enclose(point);
-  return {enclosed.x.middle(), enclosed.y.middle()};
+  return {median(enclosed.x()), median(enclosed.y())};
 }
 
 double distance(const Place& a, const Place& b) {
@@ -29,7 +29,10 @@ double distance(const Place& a, const Place& b) {
 }  // namespace
 
 Winding::Winding(const PlanePoint& middle, int sense, const Number& longest, const Number& blur)
-    : middle_(middle), sense_(sense), longest_(enclose(longest).hi), blur_(enclose(blur).hi) {}
+    : middle_(middle),
+      sense_(sense),
+      longest_(enclose(longest).sup()),
+      blur_(enclose(blur).sup()) {}
 
 // Counted along the sense. The angle between the ends of an arc is the one that it turns by where
 // its circle goes round the middle (of several turns one says enough: nothing is left to go back),

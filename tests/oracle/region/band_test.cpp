@@ -51,6 +51,7 @@ Number thousandths(int count) {
 }
 
 RC_GTEST_PROP(RegionBands, TheBorderOfASpiralsBandsIsWithinReach, ()) {
+  const Rounding outward;
   const int r0 = *rc::gen::inRange(100, 4'000);
   const int r1 = *rc::gen::inRange(100, 4'000);
   const int turns = *rc::gen::inRange(1, 4);
@@ -70,14 +71,14 @@ RC_GTEST_PROP(RegionBands, TheBorderOfASpiralsBandsIsWithinReach, ()) {
     if (band.shape != Band::Shape::sector || band.wide) continue;
     // A direction between the two ends, on the outer border and on the hole's.
     const double part = *rc::gen::inRange(0, 1'001) / 1e3;
-    const double ux = (1 - part) * band.ua.x.middle() + part * band.ub.x.middle();
-    const double uy = (1 - part) * band.ua.y.middle() + part * band.ub.y.middle();
-    for (const double radius : {band.outer.middle(), std::max(0.0, band.inner.middle())}) {
+    const double ux = (1 - part) * median(band.ua.x()) + part * median(band.ub.x());
+    const double uy = (1 - part) * median(band.ua.y()) + part * median(band.ub.y());
+    for (const double radius : {median(band.outer), std::max(0.0, median(band.inner))}) {
       const double scale = radius / std::hypot(ux, uy);
       const double away =
-          spiral.distance(band.c.x.middle() + scale * ux, band.c.y.middle() + scale * uy);
+          spiral.distance(median(band.c.x()) + scale * ux, median(band.c.y()) + scale * uy);
       RC_ASSERT(away < 1 + 1e-9);
-      if (radius == band.outer.middle() && r1 > r0) deepest = std::min(deepest, away);
+      if (radius == median(band.outer) && r1 > r0) deepest = std::min(deepest, away);
     }
   }
   // A quarter turn outward has nothing beside it that comes nearer than the width says; near its

@@ -39,6 +39,16 @@ TEST(Region, SpiralWhoseLastStepIsClippedIsGo) {
   EXPECT_TRUE(is_go(job));
 }
 
+// The centre lies ten million kilometres off, beyond what enclosures in doubles tell apart, and the
+// radii differ: neither NO-GO for gouge, since both ends are within, nor GO.
+TEST(Region, ASpiralAboutACentreBeyondAllDoublesIsUndecided) {
+  Job job = concentric(i16_l3_d4(), {3, 6, 9, 12});
+  const PlanePoint here = job.motions.back().to;
+  arc_to(job, {here.p - 1, here.q - 1}, {mm("1e13"), 0}, -1);
+  const LevelVerdict verdict = judge(job);
+  EXPECT_EQ(verdict.kind, LevelVerdict::Kind::gap) << verdict.gap;
+}
+
 // Between 3 and 9 the middle is 3 from both, 1.5 more than half the step. The tool still cleans it.
 // J-PKT-02
 TEST(Region, OneRingLeftOutBreaksStep) {

@@ -46,7 +46,7 @@ Curve<LinePiece> line_piece() {
   const Point a{between(-6, 6), between(-6, 6)};
   const double size = *rc::gen::element(0.01, 1.0, 4.0);
   const Point b{a.x + between(-size, size), a.y + between(-size, size)};
-  return {{exactly(a.x, a.y), exactly(b.x, b.y)}, [a, b](double part) {
+  return {{IntervalVector(a.x, a.y), IntervalVector(b.x, b.y)}, [a, b](double part) {
             return Point{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
           }};
 }
@@ -61,7 +61,7 @@ Curve<CirclePiece> circle_piece() {
   };
   const Point a = unit_at(0);
   const Point b = unit_at(1);
-  return {{exactly(c.x, c.y), {r, r}, exactly(a.x, a.y), exactly(b.x, b.y)},
+  return {{IntervalVector(c.x, c.y), r, IntervalVector(a.x, a.y), IntervalVector(b.x, b.y)},
           [c, r, unit_at](double part) {
             const Point u = unit_at(part);
             return Point{c.x + r * u.x, c.y + r * u.y};
@@ -140,6 +140,7 @@ void check_inside(const Curve<Piece>& curve, const Band& band,
 }
 
 RC_GTEST_PROP(RegionLinePiece, APieceCalledInsideACapsuleIsInside, ()) {
+  const Rounding outward;
   int claims = 0;
   for (int n = 0; n < 100; ++n) {
     const Capsule c = capsule();
@@ -151,6 +152,7 @@ RC_GTEST_PROP(RegionLinePiece, APieceCalledInsideACapsuleIsInside, ()) {
 }
 
 RC_GTEST_PROP(RegionLinePiece, APieceCalledInsideARoundedRectangleIsInside, ()) {
+  const Rounding outward;
   int claims = 0;
   for (int n = 0; n < 100; ++n) {
     const Shape s = shape();
@@ -170,6 +172,7 @@ void check_outside(const Curve<Piece>& curve, const Shape& s, int& claims) {
 }
 
 RC_GTEST_PROP(RegionLinePiece, APieceCalledOutsideHasNoPointInside, ()) {
+  const Rounding outward;
   int claims = 0;
   for (int n = 0; n < 100; ++n) {
     const Shape s = shape();
@@ -181,12 +184,13 @@ RC_GTEST_PROP(RegionLinePiece, APieceCalledOutsideHasNoPointInside, ()) {
 
 // A short piece a hundredth away from the border is called what it is: halving comes to an end.
 RC_GTEST_PROP(RegionLinePiece, AShortPieceClearOfTheBorderIsDecided, ()) {
+  const Rounding outward;
   for (int n = 0; n < 100; ++n) {
     const Shape s = shape();
     const Capsule c = capsule();
     Curve<LinePiece> line = line_piece();
     const Point a = line.at(0);
-    line.piece.b = exactly(a.x + 1e-4, a.y - 1e-4);
+    line.piece.b = IntervalVector(a.x + 1e-4, a.y - 1e-4);
     if (s.outside(a) > 0.01) RC_ASSERT(lies_outside(line.piece, s.shape.enclosed));
     if (s.outside(a) < -0.01) RC_ASSERT(lies_inside(line.piece, s.band()));
     if (c.outside(a) < -0.01) RC_ASSERT(lies_inside(line.piece, c.band()));
@@ -195,24 +199,24 @@ RC_GTEST_PROP(RegionLinePiece, AShortPieceClearOfTheBorderIsDecided, ()) {
 
 // A sector: a line through the wedge is inside, one through the hole is not.
 TEST(RegionLinePieces, ALineInASectorKeepsClearOfTheHole) {
+  const Rounding outward;
   Band band;
   band.shape = Band::Shape::sector;
-  band.c = exactly(0, 0);
-  band.inner = {1, 1};
-  band.outer = {3, 3};
-  band.inner2 = {1, 1};
-  band.outer2 = {9, 9};
-  band.ua = exactly(1, 0);
-  band.ub = exactly(0, 1);
-  EXPECT_TRUE(lies_inside(LinePiece{exactly(2, 0.1), exactly(0.1, 2)}, band));
-  EXPECT_FALSE(lies_inside(LinePiece{exactly(1.2, 0.1), exactly(0.1, 1.2)}, band));
-  EXPECT_FALSE(lies_inside(LinePiece{exactly(2, 0.1), exactly(2, -0.1)}, band));
-  EXPECT_FALSE(lies_inside(LinePiece{exactly(2, 0.1), exactly(2.5, 2)}, band));
+  band.c = IntervalVector(0, 0);
+  band.inner = 1;
+  band.outer = 3;
+  band.square_radii();
+  band.ua = IntervalVector(1, 0);
+  band.ub = IntervalVector(0, 1);
+  EXPECT_TRUE(lies_inside(LinePiece{IntervalVector(2, 0.1), IntervalVector(0.1, 2)}, band));
+  EXPECT_FALSE(lies_inside(LinePiece{IntervalVector(1.2, 0.1), IntervalVector(0.1, 1.2)}, band));
+  EXPECT_FALSE(lies_inside(LinePiece{IntervalVector(2, 0.1), IntervalVector(2, -0.1)}, band));
+  EXPECT_FALSE(lies_inside(LinePiece{IntervalVector(2, 0.1), IntervalVector(2.5, 2)}, band));
   band.wide = true;
-  band.ua = exactly(0, 1);
-  band.ub = exactly(1, 0);
-  EXPECT_TRUE(lies_inside(LinePiece{exactly(-2, 0.5), exactly(-0.5, -2)}, band));
-  EXPECT_FALSE(lies_inside(LinePiece{exactly(2, 0.1), exactly(0.1, 2)}, band));
+  band.ua = IntervalVector(0, 1);
+  band.ub = IntervalVector(1, 0);
+  EXPECT_TRUE(lies_inside(LinePiece{IntervalVector(-2, 0.5), IntervalVector(-0.5, -2)}, band));
+  EXPECT_FALSE(lies_inside(LinePiece{IntervalVector(2, 0.1), IntervalVector(0.1, 2)}, band));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ struct Turn {
 
   IntervalVector at(double part) const {
     const double angle = start + size * part;
-    return exactly(std::cos(angle), std::sin(angle));
+    return IntervalVector(std::cos(angle), std::sin(angle));
   }
   // Doubles: near the edges either answer may come.
   bool holds(double x, double y, double margin) const {
@@ -47,19 +47,19 @@ Scene scene() {
   // Pieces from tiny to a quarter, bands of the same size as the circles, not far apart.
   const double size = *rc::gen::element(0.01, 0.2, kTurn / 4 - 1e-9);
   s.sweep_of_piece = {between(0, kTurn), size};
-  s.piece.c = exactly(between(-2, 2), between(-2, 2));
+  s.piece.c = IntervalVector(between(-2, 2), between(-2, 2));
   const double r = between(0.1, 5);
-  s.piece.r = {r, r};
+  s.piece.r = r;
   s.piece.ua = s.sweep_of_piece.at(0);
   s.piece.ub = s.sweep_of_piece.at(1);
   s.band.shape = *rc::gen::element(Band::Shape::disc, Band::Shape::ring, Band::Shape::sector);
-  s.band.c = *rc::gen::arbitrary<bool>() ? s.piece.c : exactly(between(-1, 1), between(-1, 1));
+  s.band.c =
+      *rc::gen::arbitrary<bool>() ? s.piece.c : IntervalVector(between(-1, 1), between(-1, 1));
   const double outer = between(0.2, 7);
   const double inner = s.band.shape == Band::Shape::disc ? 0 : between(-1, outer);
-  s.band.outer = {outer, outer};
-  s.band.inner = {inner, inner};
-  s.band.outer2 = square(s.band.outer);
-  s.band.inner2 = square(Interval{std::max(inner, 0.0), std::max(inner, 0.0)});
+  s.band.outer = outer;
+  s.band.inner = inner;
+  s.band.square_radii();
   s.sweep_of_band = {between(0, kTurn), between(0.01, kTurn - 0.01)};
   s.band.wide = s.sweep_of_band.size > kTurn / 2;
   s.band.ua = s.sweep_of_band.at(0);
@@ -70,14 +70,14 @@ Scene scene() {
 // By how much the point lies inside the band: `margin` and more (1), or outside (-1), or neither.
 int place(const Scene& s, double x, double y) {
   constexpr double kMargin = 1e-9;
-  const double dx = x - s.band.c.x.lo;
-  const double dy = y - s.band.c.y.lo;
+  const double dx = x - s.band.c.x().inf();
+  const double dy = y - s.band.c.y().inf();
   const double d = std::hypot(dx, dy);
   const bool sector = s.band.shape == Band::Shape::sector;
   const bool in = !sector || s.sweep_of_band.holds(dx, dy, kMargin);
   const bool nearly_in = !sector || d < kMargin || s.sweep_of_band.holds(dx, dy, -kMargin);
-  if (in && d < s.band.outer.lo - kMargin && d > s.band.inner.lo + kMargin) return 1;
-  return nearly_in && d < s.band.outer.lo + kMargin && d > s.band.inner.lo - kMargin ? 0 : -1;
+  if (in && d < s.band.outer.inf() - kMargin && d > s.band.inner.inf() + kMargin) return 1;
+  return nearly_in && d < s.band.outer.inf() + kMargin && d > s.band.inner.inf() - kMargin ? 0 : -1;
 }
 
 constexpr int kSamples = 200;
@@ -86,11 +86,13 @@ template <class Visit>
 void sample(const Scene& s, const Visit& visit) {
   for (int k = 0; k <= kSamples; ++k) {
     const IntervalVector u = s.sweep_of_piece.at(static_cast<double>(k) / kSamples);
-    visit(s.piece.c.x.lo + s.piece.r.lo * u.x.lo, s.piece.c.y.lo + s.piece.r.lo * u.y.lo);
+    visit(s.piece.c.x().inf() + s.piece.r.inf() * u.x().inf(),
+          s.piece.c.y().inf() + s.piece.r.inf() * u.y().inf());
   }
 }
 
 RC_GTEST_PROP(RegionPiece, APieceCalledInsideHasNoPointOutside, ()) {
+  const Rounding outward;
   int claims = 0;
   for (int n = 0; n < 200; ++n) {
     const Scene s = scene();
@@ -103,6 +105,7 @@ RC_GTEST_PROP(RegionPiece, APieceCalledInsideHasNoPointOutside, ()) {
 
 // A sweep above 180 degrees is tested edge by edge, so a piece across the middle may need halving.
 RC_GTEST_PROP(RegionPiece, APieceWellInsideIsCalledInside, ()) {
+  const Rounding outward;
   for (int n = 0; n < 50; ++n) {
     const Scene s = scene();
     if (s.band.shape == Band::Shape::sector && s.band.wide) continue;
@@ -110,18 +113,19 @@ RC_GTEST_PROP(RegionPiece, APieceWellInsideIsCalledInside, ()) {
     sample(s, [&](double x, double y) { least = std::min(least, place(s, x, y)); });
     // Between two samples a piece of radius 5 sags by less than 1e-4.
     Scene smaller = s;
-    smaller.band.outer = smaller.band.outer - Interval{1e-4, 1e-4};
-    smaller.band.inner = smaller.band.inner + Interval{1e-4, 1e-4};
+    smaller.band.outer = smaller.band.outer - 1e-4;
+    smaller.band.inner = smaller.band.inner + 1e-4;
     sample(smaller, [&](double x, double y) { least = std::min(least, place(smaller, x, y)); });
     if (least == 1) RC_ASSERT(lies_inside(s.piece, s.band));
   }
 }
 
 RC_GTEST_PROP(RegionPiece, APieceCalledOutsideADiscHasNoPointInIt, ()) {
+  const Rounding outward;
   int claims = 0;
   for (int n = 0; n < 50; ++n) {
     const Scene s = scene();
-    const double radius = s.band.outer.lo;
+    const double radius = s.band.outer.inf();
     if (!lies_outside(s.piece, square(s.band.outer))) continue;
     ++claims;
     sample(s, [radius](double x, double y) { RC_ASSERT(std::hypot(x, y) > radius - 1e-9); });
@@ -130,17 +134,17 @@ RC_GTEST_PROP(RegionPiece, APieceCalledOutsideADiscHasNoPointInIt, ()) {
 }
 
 TEST(RegionPieces, TheOtherHalfOfASectorIsNotInside) {
+  const Rounding outward;
   Scene s;
   s.band.shape = Band::Shape::sector;
-  s.band.outer = {3, 3};
-  s.band.inner = {1, 1};
-  s.band.outer2 = {9, 9};
-  s.band.inner2 = {1, 1};
-  s.band.ua = exactly(1, 0);
-  s.band.ub = exactly(0, 1);
-  s.piece = {exactly(0, 0), {2, 2}, exactly(0.8, 0.6), exactly(0.6, 0.8)};
+  s.band.outer = 3;
+  s.band.inner = 1;
+  s.band.square_radii();
+  s.band.ua = IntervalVector(1, 0);
+  s.band.ub = IntervalVector(0, 1);
+  s.piece = {IntervalVector(0, 0), 2, IntervalVector(0.8, 0.6), IntervalVector(0.6, 0.8)};
   EXPECT_TRUE(lies_inside(s.piece, s.band));
-  s.piece.ub = exactly(-0.28, 0.96);
+  s.piece.ub = IntervalVector(-0.28, 0.96);
   EXPECT_FALSE(lies_inside(s.piece, s.band));
 }
 

@@ -66,6 +66,7 @@ TEST(PocketEquality, OneSideOneToleranceShortIsGoAndANanometreMoreIsNot) {
 // Which borders need no walk: an arc about a corner of the core, as far as it leads away from it.
 std::size_t pieces_to_walk(const RoundedRectangle& area, const PlanePoint& centre,
                            const PlanePoint& a, const PlanePoint& b) {
+  const Rounding outward;
   LevelMotion motion;
   motion.is_arc = true;
   motion.rot = 1;
@@ -98,6 +99,7 @@ TEST(PocketBorders, OnlyAnArcThatLeadsAwayFromItsCornerIsOutside) {
 
 // The straight edges of the band of a line at the given height, of those two that need a walk.
 std::size_t edges_to_walk(const RoundedRectangle& area, std::string_view q) {
+  const Rounding outward;
   const Path path{{}, {}, {make_line({-5, mm(q)}, {5, mm(q)})}};
   const Target target{area, std::nullopt, mm("5.001"), Number()};
   const auto bands = make_bands(path, target.reach, 1e-3);
