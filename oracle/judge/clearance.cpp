@@ -40,13 +40,12 @@ Number nearest(const Number& from, const Number& to, const Number& zero) {
 
 // The distance of a stretch from the origin.
 Interval distance_of(const region::Arc& arc, const region::Stretch& stretch) {
-  const Interval radius = hull(stretch.ra, stretch.rb);
-  const Interval centre = norm(arc.c);
-  if (stretch.turns > 0 || stretch.wide || !(scalar_product(stretch.ua, stretch.ub).inf() > 0)) {
-    return {abs(centre - radius).inf(), (centre + radius).sup()};
+  const region::CirclePiece piece = stretch.circles(arc.c);
+  if (stretch.is_at_most_quarter()) {
+    return region::square_root(region::squared_distance(piece, arc.c));
   }
-  const Interval along = region::projection(stretch.ua, stretch.ub, arc.c);
-  return region::square_root(arc.c.squared_length() + square(radius) + 2.0 * radius * along);
+  const Interval centre = norm(arc.c);
+  return {abs(centre - piece.r).inf(), (centre + piece.r).sup()};
 }
 
 // +1 on the free side, -1 beyond the limit, 0 neither for sure.
@@ -80,15 +79,14 @@ Clearance halve(const region::Arc& arc, const Keep& keep, const PartOfSweep& cou
     if (side(distance_of(arc, stretch), bound, keep.outside) > 0) continue;
     const auto parts = halves(stretch);
     const double middle = (part.low + part.high) / 2;
-    const region::IntervalVector point = arc.c + parts[0].rb * parts[0].ub;
+    const region::IntervalVector point = arc.c + parts[0].b();
     const bool is_looked_at = counts.low <= middle && middle <= counts.high;
     if (is_looked_at && side(norm(point), bound, keep.outside) < 0) {
       const PlanePoint witness = region::middle_of(point);
       return {Clearance::Kind::touches, witness,
               abs(exact::sqrt(norm_squared(witness)) - keep.radius)};
     }
-    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).sup() < kBeside && !stretch.wide &&
-        stretch.turns == 0) {
+    if (stretch.is_tiny()) {
       undecided = true;
       continue;
     }

@@ -261,14 +261,14 @@ std::optional<bool> PocketMillingJudge::stays_in(const Motion& motion,
   const bool is_from_centre = part.from == part.centre;
   const bool is_spiral = turns && (is_from_centre || part.to == part.centre);
   const auto ends_outside = [&](const region::RoundedRectangle& limit) {
-    return region::reach_of_point(part.from, limit).kind == region::Reach::Kind::outside ||
-           region::reach_of_point(part.to, limit).kind == region::Reach::Kind::outside;
+    return region::reach_of(part.from, limit).kind == region::Reach::Kind::outside ||
+           region::reach_of(part.to, limit).kind == region::Reach::Kind::outside;
   };
   const auto limit = [&](const Number& margin) {
     return region::with_radius(area, area.radius + margin);
   };
   const auto reach = [&](const Number& margin) {
-    if (turns) return region::reach_of_arc(region::make_arc(part, {}), limit(margin)).kind;
+    if (turns) return region::reach_of(region::make_arc(part, {}), limit(margin)).kind;
     return ends_outside(limit(margin)) ? region::Reach::Kind::outside : region::Reach::Kind::inside;
   };
   const Number narrow = terms_.tolerance - slack_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/arc.hpp"
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 
 Sweep make_sweep(const PlanePoint& a, const PlanePoint& b) {
@@ -78,6 +80,10 @@ IntervalVector middle_direction(const IntervalVector& ua, const IntervalVector& 
   return wide ? -sum : sum;
 }
 
+bool Stretch::is_tiny() const {
+  return turns == 0 && !wide && norm(b() - a()).sup() < kBeside;
+}
+
 std::array<Stretch, 2> halves(const Stretch& stretch) {
   IntervalVector m = middle_direction(stretch.ua, stretch.ub, stretch.wide);
   const bool odd = stretch.turns % 2 != 0;
@@ -101,6 +107,20 @@ Interval projection(const IntervalVector& ua, const IntervalVector& ub, const In
   const double length = norm(d).sup();
   return {opposite_may_hold ? std::min(ends.inf(), -length) : ends.inf(),
           may_hold ? std::max(ends.sup(), length) : ends.sup()};
+}
+
+// |c + r u - o|^2 = r^2 + |d|^2 + 2 r <u, d>, constant when d = 0, so that concentric circles need
+// no halving.
+Interval squared_distance(const CirclePiece& piece, const IntervalVector& d) {
+  const Interval along = projection(piece.ua, piece.ub, d);
+  return square(piece.r) + d.squared_length() + 2.0 * piece.r * along;
+}
+
+IntervalVector box_of(const CirclePiece& piece) {
+  const auto along = [&piece](const IntervalVector& axis) {
+    return piece.r * projection(piece.ua, piece.ub, axis);
+  };
+  return piece.c + IntervalVector(along({1, 0}), along({0, 1}));
 }
 
 }  // namespace gonogo::oracle::region

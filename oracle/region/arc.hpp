@@ -56,6 +56,14 @@ Arc make_arc(const LevelMotion& motion, const PlanePoint& middle);
 // One arc for two round ones on the same circle, the second beginning where the first ends.
 std::optional<Arc> joined(const Arc& first, const Arc& second, bool counterclockwise);
 
+// At most 90 degrees of a circle, counterclockwise from the unit direction ua to ub.
+struct CirclePiece {
+  IntervalVector c;
+  Interval r;
+  IntervalVector ua;
+  IntervalVector ub;
+};
+
 // A part of an arc whose radius runs linearly with the angle; halved without computing an angle.
 struct Stretch {
   IntervalVector ua;
@@ -64,14 +72,33 @@ struct Stretch {
   Interval rb;
   int turns = 0;
   bool wide = false;
+
+  // The ends, seen from the centre.
+  IntervalVector a() const { return ra * ua; }
+  IntervalVector b() const { return rb * ub; }
+  bool is_at_most_quarter() const {
+    return turns == 0 && !wide && scalar_product(ua, ub).inf() >= 0;
+  }
+  // Not to be halved any more.
+  bool is_tiny() const;
+  // All circles between its radii, about the centre. REQUIRES: at most a quarter.
+  CirclePiece circles(const IntervalVector& centre) const { return {centre, hull(ra, rb), ua, ub}; }
 };
 
 Stretch whole(const Arc& arc);
 std::array<Stretch, 2> halves(const Stretch& stretch);
+// Its middle, seen from the centre.
+inline IntervalVector middle_of(const Stretch& stretch) {
+  return halves(stretch)[0].b();
+}
 // The direction in the middle of a sweep.
 IntervalVector middle_direction(const IntervalVector& ua, const IntervalVector& ub, bool wide);
 
 // <u, d> for the unit vectors u from ua counterclockwise to ub. REQUIRES: at most 90 degrees.
 Interval projection(const IntervalVector& ua, const IntervalVector& ub, const IntervalVector& d);
+// The squared distance of the piece from a point from which its centre is seen at d.
+Interval squared_distance(const CirclePiece& piece, const IntervalVector& d);
+// The upright box that the piece lies in.
+IntervalVector box_of(const CirclePiece& piece);
 
 }  // namespace gonogo::oracle::region

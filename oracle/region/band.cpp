@@ -39,13 +39,9 @@ std::optional<Fit> circle_through(const IntervalVector& a, const IntervalVector&
 // the sweep. From S S'' + S'^2 = -e^2 cos 2f: |S'| <= e^2 / 2m, |S''| <= (e^2 + S'^2) / m,
 // |S'''| <= (2 e^2 + 3 |S' S''|) / m, with m = sqrt(1 - e^2).
 std::optional<Fit> fit(const Arc& arc, const Stretch& stretch) {
-  if (stretch.turns > 0 || stretch.wide || !(scalar_product(stretch.ua, stretch.ub).inf() >= 0)) {
-    return std::nullopt;
-  }
-  const auto parts = halves(stretch);
-  const IntervalVector nodes[] = {arc.c + stretch.ra * stretch.ua,
-                                  arc.c + parts[0].rb * parts[0].ub,
-                                  arc.c + stretch.rb * stretch.ub};
+  if (!stretch.is_at_most_quarter()) return std::nullopt;
+  const IntervalVector nodes[] = {arc.c + stretch.a(), arc.c + middle_of(stretch),
+                                  arc.c + stretch.b()};
   auto circle = circle_through(nodes[0], nodes[1], nodes[2]);
   if (!circle) return std::nullopt;
   const Interval d = norm(circle->o - arc.c);
@@ -83,14 +79,8 @@ class BandMaker {
   }
 
   void add_round(const Arc& arc) {
-    Band band;
-    band.shape = arc.full ? Band::Shape::ring : Band::Shape::sector;
-    band.wide = arc.sweep.wide;
-    band.c = arc.c;
-    band.inner = arc.ra - reach_;
-    band.outer = arc.ra + reach_;
-    band.ua = arc.ua;
-    band.ub = arc.ub;
+    Band band = about(arc.c, whole(arc), arc.ra - reach_, arc.ra + reach_);
+    if (arc.full) band.shape = Band::Shape::ring;
     band.centre = &arc.centre;
     band.radius2 = &arc.a2;
     band.sweep = arc.full ? nullptr : &arc.sweep;
@@ -98,13 +88,7 @@ class BandMaker {
   }
 
   void add_line(const Line& line) {
-    Band band;
-    band.shape = Band::Shape::capsule;
-    band.c = line.a;
-    band.to = line.b;
-    band.ua = line.u;
-    band.length = line.length;
-    band.outer = reach_;
+    Band band = capsule(line.a, line.b, line.u, line.length);
     band.line = &line;
     add(band);
   }
@@ -122,7 +106,7 @@ class BandMaker {
       }
       if (add_fitted(arc, stretch)) continue;
       const auto parts = halves(stretch);
-      add_joint(arc.c + parts[0].rb * parts[0].ub);
+      add_joint(arc.c + parts[0].b());
       open.insert(open.end(), parts.begin(), parts.end());
     }
     return true;
@@ -137,41 +121,22 @@ class BandMaker {
 
   // A part of a round arc, by its enclosures.
   void add_round_part(const Arc& arc, const Stretch& stretch) {
-    Band band;
-    band.shape = Band::Shape::sector;
-    band.wide = stretch.wide;
-    band.c = arc.c;
-    band.inner = arc.ra - reach_;
-    band.outer = arc.ra + reach_;
-    band.ua = stretch.ua;
-    band.ub = stretch.ub;
-    add(band);
+    add(about(arc.c, stretch, arc.ra - reach_, arc.ra + reach_));
   }
 
   void add_capsule(const IntervalVector& from, const IntervalVector& to) {
-    Band band;
-    band.shape = Band::Shape::capsule;
-    band.c = from;
-    band.to = to;
-    band.ua = unit(to - from);
-    band.length = norm(to - from);
-    band.outer = reach_;
-    add(band);
+    add(capsule(from, to, unit(to - from), norm(to - from)));
   }
 
  private:
   // The points as far as the reach allows from every radius of the stretch, along the ray.
   void add_part(const Arc& arc, const Stretch& stretch) {
     const Interval radius = hull(stretch.ra, stretch.rb);
-    Band band;
-    band.shape = stretch.turns > 0 ? Band::Shape::ring : Band::Shape::sector;
-    band.wide = stretch.wide;
-    band.c = arc.c;
+    const Interval least{reach_.inf(), reach_.inf()};
+    Band band = about(arc.c, stretch, Interval{radius.sup(), radius.sup()} - least,
+                      Interval{radius.inf(), radius.inf()} + least);
+    if (stretch.turns > 0) band.shape = Band::Shape::ring;
     band.centre = &arc.centre;
-    band.inner = Interval{radius.sup(), radius.sup()} - Interval{reach_.inf(), reach_.inf()};
-    band.outer = Interval{radius.inf(), radius.inf()} + Interval{reach_.inf(), reach_.inf()};
-    band.ua = stretch.ua;
-    band.ub = stretch.ub;
     add(band);
   }
 
@@ -180,25 +145,43 @@ class BandMaker {
   bool add_fitted(const Arc& arc, const Stretch& stretch) {
     const auto circle = fit(arc, stretch);
     if (!circle || !(circle->away <= width_)) return false;
-    const IntervalVector a = arc.c + stretch.ra * stretch.ua - circle->o;
-    const IntervalVector b = arc.c + stretch.rb * stretch.ub - circle->o;
+    const IntervalVector a = arc.c + stretch.a() - circle->o;
+    const IntervalVector b = arc.c + stretch.b() - circle->o;
     const Interval side = determinant(a, b);
     if (side.inf() <= 0 && side.sup() >= 0) return false;
     const Interval reach =
         Interval{reach_.inf(), reach_.inf()} - Interval{circle->away, circle->away};
-    Band band;
-    band.shape = Band::Shape::sector;
-    band.wide = side.sup() < 0;
-    band.c = circle->o;
-    band.inner = circle->radius - reach;
-    band.outer = circle->radius + reach;
-    band.ua = unit(a);
-    band.ub = unit(b);
-    add(band);
+    const Stretch seen{unit(a), unit(b), circle->radius, circle->radius, 0, side.sup() < 0};
+    add(about(circle->o, seen, circle->radius - reach, circle->radius + reach));
     return true;
   }
 
-  void add(Band& band) {
+  static Band about(const IntervalVector& centre, const Stretch& stretch, const Interval& inner,
+                    const Interval& outer) {
+    Band band;
+    band.shape = Band::Shape::sector;
+    band.wide = stretch.wide;
+    band.c = centre;
+    band.inner = inner;
+    band.outer = outer;
+    band.ua = stretch.ua;
+    band.ub = stretch.ub;
+    return band;
+  }
+
+  Band capsule(const IntervalVector& from, const IntervalVector& to, const IntervalVector& u,
+               const Interval& length) const {
+    Band band;
+    band.shape = Band::Shape::capsule;
+    band.c = from;
+    band.to = to;
+    band.ua = u;
+    band.length = length;
+    band.outer = reach_;
+    return band;
+  }
+
+  void add(Band band) {
     band.square_radii();
     out_.push_back(band);
   }

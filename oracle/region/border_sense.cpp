@@ -115,15 +115,11 @@ Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
   for (int budget = kMostStretches; !open.empty(); --budget) {
     const Stretch stretch = open.back();
     open.pop_back();
-    const bool short_enough =
-        stretch.turns == 0 && !stretch.wide && scalar_product(stretch.ua, stretch.ub).inf() > 0;
-    // A spiral's stretch as all circles between its radii.
-    const CirclePiece piece{arc.c, hull(stretch.ra, stretch.rb), stretch.ua, stretch.ub};
-    if (short_enough && lies_outside(piece, enclosed_inner_)) continue;
+    const bool is_quarter = stretch.is_at_most_quarter();
+    if (is_quarter && lies_outside(stretch.circles(arc.c), enclosed_inner_)) continue;
     const auto parts = halves(stretch);
-    if (is_nearly_inside(arc.c + parts[0].rb * parts[0].ub)) return Against::no;
-    const double size = norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).sup();
-    if (budget <= 0 || (short_enough && !(size > kBeside))) {
+    if (is_nearly_inside(arc.c + parts[0].b())) return Against::no;
+    if (budget <= 0 || stretch.is_tiny()) {
       result = Against::undecided;
       continue;
     }
@@ -134,10 +130,10 @@ Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
 
 Against BorderSense::of_arc(const Arc& arc, bool counterclockwise) const {
   if (!inner_) return Against::no;
-  const IntervalVector a = arc.c + arc.ra * arc.ua;
-  const IntervalVector b = arc.c + arc.rb * arc.ub;
-  if (is_nearly_inside(a) || is_nearly_inside(b)) return Against::no;
   const Stretch stretch = whole(arc);
+  const IntervalVector a = arc.c + stretch.a();
+  const IntervalVector b = arc.c + stretch.b();
+  if (is_nearly_inside(a) || is_nearly_inside(b)) return Against::no;
   if (arc.turns > 0 || arc.full || stretch.wide) {
     // More than half round the border: it goes as it turns.
     if (!(2 * std::min(arc.ra.inf(), arc.rb.inf()) > shortest_)) return Against::no;
@@ -145,12 +141,12 @@ Against BorderSense::of_arc(const Arc& arc, bool counterclockwise) const {
   } else {
     const IntervalVector d = counterclockwise ? b - a : a - b;
     if (!(norm(d).inf() > shortest_)) return Against::no;
-    const IntervalVector m = arc.c + halves(stretch)[0].rb * halves(stretch)[0].ub;
+    const IntervalVector m = arc.c + middle_of(stretch);
     if (!goes_against({median(m.x()), median(m.y()), median(d.x()), median(d.y())})) {
       return Against::no;
     }
   }
-  const Reach reach = reach_of_arc(arc, outer_);
+  const Reach reach = reach_of(arc, outer_);
   if (reach.kind == Reach::Kind::outside) return Against::no;
   const Against result = along({stretch}, arc);
   const bool open = reach.kind == Reach::Kind::undecided && result == Against::yes;

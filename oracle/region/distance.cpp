@@ -31,7 +31,7 @@ Interval distance_to_stretch(const Arc& arc, const Stretch& stretch, const Inter
   const IntervalVector offset = point - arc.c;
   const Interval radius = hull(stretch.ra, stretch.rb);
   const double least = abs(norm(offset) - radius).inf();
-  const double at_a = norm(offset - stretch.ra * stretch.ua).sup();
+  const double at_a = norm(offset - stretch.a()).sup();
   if (stretch.turns > 0 || stretch.wide) return {least, at_a};
   // All of it lies in a disc about the point at its middle direction and end radius.
   const IntervalVector m = middle_direction(stretch.ua, stretch.ub, false);

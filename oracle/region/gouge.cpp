@@ -75,24 +75,17 @@ class SpiralReach {
 
 // An upper bound of the squared distance from the core over the stretch.
 double SpiralReach::squared_distance(const Stretch& stretch) const {
-  const Interval radius = hull(stretch.ra, stretch.rb);
-  if (stretch.turns > 0 || stretch.wide || !(scalar_product(stretch.ua, stretch.ub).inf() > 0)) {
-    return square(square_root(squared_distance_to_core(limit_, arc_.c)) + radius).sup();
+  const CirclePiece piece = stretch.circles(arc_.c);
+  if (!stretch.is_at_most_quarter()) {
+    return square(square_root(squared_distance_to_core(limit_, arc_.c)) + piece.r).sup();
   }
-  const auto along = [&stretch](const IntervalVector& d) {
-    return projection(stretch.ua, stretch.ub, d);
-  };
   double least = std::numeric_limits<double>::infinity();
   // No point is farther from the core than from a corner of it.
   for (const Corner& corner : corners_) {
-    const IntervalVector c = arc_.c - enclose(corner.at);
-    const Interval d2 = c.squared_length() + square(radius) + 2.0 * radius * along(c);
-    least = std::min(least, d2.sup());
+    least = std::min(least, region::squared_distance(piece, arc_.c - enclose(corner.at)).sup());
   }
   if (limit_.is_disc()) return least;
-  const IntervalVector box{arc_.c.x() + radius * along(IntervalVector(1, 0)),
-                           arc_.c.y() + radius * along(IntervalVector(0, 1))};
-  return std::min(least, squared_distance_to_core(limit_, box).sup());
+  return std::min(least, squared_distance_to_core(limit_, box_of(piece)).sup());
 }
 
 Reach SpiralReach::farthest() const {
@@ -103,13 +96,12 @@ Reach SpiralReach::farthest() const {
     open.pop_back();
     if (squared_distance(stretch) <= limit_.radius2.inf()) continue;
     const auto parts = halves(stretch);
-    const IntervalVector point = arc_.c + parts[0].rb * parts[0].ub;
+    const IntervalVector point = arc_.c + parts[0].b();
     const Interval distance = square_root(squared_distance_to_core(limit_, point));
     if (distance.inf() > limit_.radius.sup()) {
       return outside(middle_of(point), to_number((distance - limit_.radius).inf()));
     }
-    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).sup() < kBeside && !stretch.wide &&
-        stretch.turns == 0) {
+    if (stretch.is_tiny()) {
       undecided = true;
       continue;
     }
@@ -121,20 +113,20 @@ Reach SpiralReach::farthest() const {
 
 }  // namespace
 
-Reach reach_of_point(const PlanePoint& point, const RoundedRectangle& limit) {
+Reach reach_of(const PlanePoint& point, const RoundedRectangle& limit) {
   const Number d2 = squared_distance_to_core(limit, point);
   if (d2 <= limit.radius * limit.radius) return {};
   return outside(point, exact::sqrt(d2) - limit.radius);
 }
 
-Reach reach_of_arc(const Arc& arc, const RoundedRectangle& limit) {
+Reach reach_of(const Arc& arc, const RoundedRectangle& limit) {
   const Rounding outward;
   const Interval radius = hull(arc.ra, arc.rb);
   const EnclosedRectangle around = enclose(limit);
   const Interval centre = square_root(squared_distance_to_core(around, arc.c));
   if ((centre + radius).sup() <= around.radius.inf()) return {};
   for (const PlanePoint& end : {arc.end_a(), arc.end_b()}) {
-    Reach reach = reach_of_point(end, limit);
+    Reach reach = reach_of(end, limit);
     if (reach.kind != Reach::Kind::inside) return reach;
   }
   if (arc.round) return farthest_of_round(arc, limit);

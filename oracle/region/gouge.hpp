@@ -13,8 +13,8 @@ struct Reach {
   Number beyond;       // how far it lies outside the limit (of a spiral: at least so far)
 };
 
-Reach reach_of_point(const PlanePoint& point, const RoundedRectangle& limit);
+Reach reach_of(const PlanePoint& point, const RoundedRectangle& limit);
 // Exact for round arcs; a spiral that just touches the limit between its ends may stay undecided.
-Reach reach_of_arc(const Arc& arc, const RoundedRectangle& limit);
+Reach reach_of(const Arc& arc, const RoundedRectangle& limit);
 
 }  // namespace gonogo::oracle::region

@@ -77,6 +77,16 @@ struct OpenTurns {
   bool is_ambiguous = false;
 };
 
+// What the levels of all pockets have.
+struct LevelTerms {
+  Number tool_radius;                        // > 0
+  int sense = -1;                            // of turning: + is counterclockwise
+  PlanePoint plunge;                         // where the tool came down
+  Number tolerance;                          // > 0
+  Number chord = {};                         // >= 0; 0: no chords of arcs are granted
+  std::optional<OpenTurns> open_turns = {};  // none: within the tolerance
+};
+
 // What a level of a circular pocket (GSK G110/G111) must satisfy.
 //   gouge: no motion more than `tolerance` outside E, the disc of radius pocket_radius -
 //   tool_radius cover: every point of the disc of radius pocket_radius lies within tool_radius +
@@ -88,16 +98,10 @@ struct OpenTurns {
 // Where chords are granted, straight motions that are chords of arcs count as arcs (chords.hpp),
 // and `chord` is added to the tolerance of gouge (for them), cover and step, twice to that of
 // order.
-struct CircularLevel {
+struct CircularLevel : LevelTerms {
   PlanePoint centre;
-  Number pocket_radius;
-  Number tool_radius;                        // 0 < tool_radius < pocket_radius
-  Number step;                               // 0 < step < 2 * tool_radius
-  int sense = -1;                            // the sign that rot must have
-  PlanePoint plunge;                         // where the tool came down
-  Number tolerance;                          // > 0
-  Number chord = {};                         // >= 0; 0: none are granted
-  std::optional<OpenTurns> open_turns = {};  // none: within the tolerance
+  Number pocket_radius;  // > tool_radius
+  Number step;           // 0 < step < 2 * tool_radius
 };
 
 // What a level of a pocket with rounded corners (SINUMERIK LCYC75) must satisfy. The motions are in
@@ -109,21 +113,15 @@ struct CircularLevel {
 //          the motions or the plunge point
 // A motion that runs no more than the tolerance beside the border runs along it, if it is longer
 // than four times the tolerance.
-struct RectangularLevel {
+// A chord is added to the tolerance of cover, of lines also to those of gouge and of running along
+// the border.
+struct RectangularLevel : LevelTerms {
   RoundedRectangle area;                    // its radius is at least the tool's
   std::optional<RoundedRectangle> cleared;  // by an earlier level: the rest is a strip
-  Number tool_radius;                       // > 0
-  int sense = -1;                           // the sign of the turn about the centre: + is CCW
-  PlanePoint plunge;                        // where the tool came down
-  Number tolerance;                         // > 0
   // How far a point of a motion may lie from where it truly is, because the frame turns it by a
   // rational rotation near the true one (frame.hpp). GO then holds with tolerance - slack, NO-GO
   // with tolerance + slack; what lies between is a gap. 0 <= slack < tolerance.
   Number slack;
-  // Chords of arcs that are granted, >= 0: added to the tolerance of cover, of lines also to those
-  // of gouge and of running along the border.
-  Number chord = {};
-  std::optional<OpenTurns> open_turns = {};  // none: within the tolerance
 };
 
 enum class Rule { gouge, cover, step, sense, order };

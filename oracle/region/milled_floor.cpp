@@ -31,8 +31,8 @@ std::vector<IntervalVector> places_along(const Arc& arc) {
     }
     pieces = std::move(halved);
   }
-  std::vector<IntervalVector> places{arc.c + arc.ra * arc.ua};
-  for (const Stretch& piece : pieces) places.push_back(arc.c + piece.rb * piece.ub);
+  std::vector<IntervalVector> places{arc.c + whole(arc).a()};
+  for (const Stretch& piece : pieces) places.push_back(arc.c + piece.b());
   return places;
 }
 

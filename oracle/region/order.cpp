@@ -19,10 +19,6 @@ Band narrowed(Band band, Interval by) {
   return band;
 }
 
-bool is_at_most_quarter(const Stretch& stretch) {
-  return stretch.turns == 0 && !stretch.wide && scalar_product(stretch.ua, stretch.ub).inf() >= 0;
-}
-
 }  // namespace
 
 CutSequence::CutSequence(const PlanePoint& plunge, const Number& step, const Number& reach,
@@ -50,7 +46,7 @@ void CutSequence::add(const Arc& arc, bool counterclockwise) {
   while (!open.empty() && !too_long_) {
     const Stretch part = open.back();
     open.pop_back();
-    if (is_at_most_quarter(part)) {
+    if (part.is_at_most_quarter()) {
       add_part(arc, part, counterclockwise);
       continue;
     }
@@ -66,8 +62,8 @@ void CutSequence::add_part(const Arc& arc, const Stretch& stretch, bool counterc
   unit.counterclockwise = counterclockwise;
   unit.c = arc.c;
   unit.stretch = stretch;
-  const IntervalVector a = arc.c + stretch.ra * stretch.ua;
-  const IntervalVector b = arc.c + stretch.rb * stretch.ub;
+  const IntervalVector a = arc.c + stretch.a();
+  const IntervalVector b = arc.c + stretch.b();
   unit.begin = counterclockwise ? a : b;
   unit.end = counterclockwise ? b : a;
   unit.record = arc.record;
@@ -143,8 +139,7 @@ class OrderCheck {
 
 IntervalVector OrderCheck::middle_of(const CutUnit& unit, const Part& part) const {
   if (unit.is_line) return Interval(0.5) * (part.from + part.to);
-  const Stretch half = halves(part.stretch)[0];
-  return unit.c + half.rb * half.ub;
+  return unit.c + region::middle_of(part.stretch);
 }
 
 std::array<OrderCheck::Part, 2> OrderCheck::halves_of(const CutUnit& unit, const Part& part) const {
@@ -157,9 +152,7 @@ std::array<OrderCheck::Part, 2> OrderCheck::halves_of(const CutUnit& unit, const
 
 OrderCheck::Piece OrderCheck::piece_of(const CutUnit& unit, const Part& part) const {
   if (unit.is_line) return LinePiece{part.from, part.to};
-  // A spiral's as all circles between its radii.
-  const Stretch& stretch = part.stretch;
-  return CirclePiece{unit.c, hull(stretch.ra, stretch.rb), stretch.ua, stretch.ub};
+  return part.stretch.circles(unit.c);
 }
 
 bool OrderCheck::lies_in(const Piece& piece, std::size_t band) const {

@@ -15,10 +15,7 @@ class Proof {
 
   // The distance of the place from all points of a stretch of a unit of an arc, or of a line.
   Interval distance(const CutUnit& unit, const Stretch& stretch) const {
-    const Interval radius = hull(stretch.ra, stretch.rb);
-    const IntervalVector d = unit.c - at_;
-    const Interval along = projection(stretch.ua, stretch.ub, d);
-    return square_root(square(radius) + d.squared_length() + 2.0 * radius * along);
+    return square_root(squared_distance(stretch.circles(unit.c), unit.c - at_));
   }
   Interval distance_to_line(const CutUnit& unit) const {
     const Interval from = norm(unit.begin - at_);

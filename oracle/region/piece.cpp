@@ -4,13 +4,6 @@
 namespace gonogo::oracle::region {
 namespace {
 
-// With d = c - o: |c + r u - o|^2 = r^2 + |d|^2 + 2 r <u, d>, constant when d = 0, so that
-// concentric circles need no halving.
-Interval squared_distance(const CirclePiece& piece, const IntervalVector& d) {
-  const Interval along = projection(piece.ua, piece.ub, d);
-  return square(piece.r) + d.squared_length() + 2.0 * piece.r * along;
-}
-
 // From the origin.
 Interval squared_distance(const LinePiece& piece) {
   const IntervalVector d = piece.b - piece.a;
@@ -103,10 +96,7 @@ bool lies_outside(const CirclePiece& piece, Interval radius2) {
 
 bool lies_outside(const CirclePiece& piece, const EnclosedRectangle& shape) {
   if (shape.is_disc()) return lies_outside(piece, shape.radius2);
-  const IntervalVector box{
-      piece.c.x() + piece.r * projection(piece.ua, piece.ub, IntervalVector(1, 0)),
-      piece.c.y() + piece.r * projection(piece.ua, piece.ub, IntervalVector(0, 1))};
-  return lies_outside(box, shape, [&piece](const IntervalVector& corner) {
+  return lies_outside(box_of(piece), shape, [&piece](const IntervalVector& corner) {
     return squared_distance(piece, piece.c - corner);
   });
 }

@@ -7,14 +7,6 @@
 
 namespace gonogo::oracle::region {
 
-// At most 90 degrees of a circle, counterclockwise from the unit direction ua to ub.
-struct CirclePiece {
-  IntervalVector c;
-  Interval r;
-  IntervalVector ua;
-  IntervalVector ub;
-};
-
 // From a to b, straight.
 struct LinePiece {
   IntervalVector a;

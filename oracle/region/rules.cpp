@@ -30,6 +30,10 @@ LevelVerdict broken(Rule rule, std::optional<std::size_t> record, PlanePoint wit
   return verdict;
 }
 
+LevelVerdict against_sense(const LevelMotion& motion) {
+  return broken(Rule::sense, motion.record, motion.from, Number());
+}
+
 // An arc that moves: not a turn of radius 0.
 bool moves(const LevelMotion& motion) {
   if (!motion.is_arc) return false;
@@ -71,7 +75,8 @@ class LevelJudge {
  private:
   std::optional<LevelVerdict> sense();
   bool turns_wrongly(const LevelMotion& motion) const;
-  std::optional<LevelVerdict> sense_along_border();
+  template <class Answer>
+  std::optional<LevelVerdict> first_against(const Answer& answer_of, const char* open);
   std::optional<LevelVerdict> sense_round_middle();
   std::optional<LevelVerdict> sense_of_pieces();
   std::optional<LevelVerdict> sense_of_chords();
@@ -168,10 +173,15 @@ bool has_sense(const LevelMotion& motion, const Number& within) {
 std::optional<LevelVerdict> LevelJudge::sense() {
   if (!terms_.by_border) {
     for (const LevelMotion& motion : motions_) {
-      if (turns_wrongly(motion)) return broken(Rule::sense, motion.record, motion.from, Number());
+      if (turns_wrongly(motion)) return against_sense(motion);
     }
   }
-  if (auto verdict = sense_along_border()) return verdict;
+  // J-PKT-06, SIE-LC75-12: of all motions, those along the border.
+  const auto along_border = [this](const LevelMotion& motion) { return against(motion); };
+  if (auto verdict =
+          first_against(along_border, "Whether a motion follows the border is undecided.")) {
+    return verdict;
+  }
   if (auto verdict = sense_of_pieces()) return verdict;
   if (terms_.by_border) return std::nullopt;
   if (auto verdict = sense_round_middle()) return verdict;
@@ -180,35 +190,29 @@ std::optional<LevelVerdict> LevelJudge::sense() {
 
 // GSK-G110-09: by arcs turning the commanded way.
 bool LevelJudge::turns_wrongly(const LevelMotion& motion) const {
-  if (!motion.is_arc || !has_sense(motion, terms_.open_turns.within)) return false;
+  if (!motion.is_arc || !has_sense(motion, terms_.turns.within)) return false;
   if (motion.rot == 0) return !(motion.from == motion.to);
   return (motion.rot > 0) != (terms_.sense > 0);
 }
 
-// J-PKT-06, SIE-LC75-12: of all motions, those along the border.
-std::optional<LevelVerdict> LevelJudge::sense_along_border() {
+// `open`: what is said where an answer is undecided.
+template <class Answer>
+std::optional<LevelVerdict> LevelJudge::first_against(const Answer& answer_of, const char* open) {
   for (const LevelMotion& motion : motions_) {
-    if (!has_sense(motion, terms_.open_turns.within)) continue;
-    const Against answer = against(motion);
-    if (answer == Against::undecided)
-      doubt(GapReason::comparison, "Whether a motion follows the border is undecided.");
-    if (answer == Against::yes) return broken(Rule::sense, motion.record, motion.from, Number());
+    if (!has_sense(motion, terms_.turns.within)) continue;
+    const Against answer = answer_of(motion);
+    if (answer == Against::undecided) doubt(GapReason::comparison, open);
+    if (answer == Against::yes) return against_sense(motion);
   }
   return std::nullopt;
 }
 
 // J-PKT-06: rings round the middle, in pieces of any kind.
 std::optional<LevelVerdict> LevelJudge::sense_round_middle() {
-  const Number blur = Number(kBlur) * terms_.tolerance;
-  Winding winding(terms_.middle, terms_.sense, terms_.step.value_or(0), blur);
-  for (const LevelMotion& motion : motions_) {
-    if (!has_sense(motion, terms_.open_turns.within)) continue;
-    const Against answer = winding.add(motion);
-    if (answer == Against::undecided)
-      doubt(GapReason::comparison, "Which way the path goes round is undecided.");
-    if (answer == Against::yes) return broken(Rule::sense, motion.record, motion.from, Number());
-  }
-  return std::nullopt;
+  Winding winding(terms_.middle, terms_.sense, terms_.step.value_or(0),
+                  Number(kBlur) * terms_.tolerance);
+  return first_against([&](const LevelMotion& motion) { return winding.add(motion); },
+                       "Which way the path goes round is undecided.");
 }
 
 // Whether the motion stays near where it begins.
@@ -238,9 +242,7 @@ std::optional<LevelVerdict> LevelJudge::sense_of_pieces() {
     if (!border.touches(to)) continue;
     if (!touch) touch = follows ? motion.from - terms_.middle : to;
     if (!length.is_long_enough(*touch, to)) continue;
-    if (length.goes_against(*touch, to)) {
-      return broken(Rule::sense, motion.record, motion.from, Number());
-    }
+    if (length.goes_against(*touch, to)) return against_sense(motion);
     touch = to;
   }
   return std::nullopt;
@@ -253,8 +255,7 @@ std::optional<LevelVerdict> LevelJudge::sense_of_chords() {
   if (turning.kind == Turning::undecided)
     doubt(GapReason::comparison, "Whether chords turn the wrong way is undecided.");
   if (turning.kind != Turning::against) return std::nullopt;
-  const LevelMotion& motion = motions_[turning.motion];
-  return broken(Rule::sense, motion.record, motion.from, Number());
+  return against_sense(motions_[turning.motion]);
 }
 
 // J-PKT-02
@@ -281,27 +282,23 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_ends(const LevelMotion& motion,
 std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion, bool is_chord) {
   const Number margin = is_chord ? terms_.tolerance + terms_.chord : terms_.tolerance;
   if (auto verdict = gouge_of_ends(motion, margin)) return verdict;
-  if (!terms_.by_border) {
-    if (motion.is_arc || motion.from == motion.to) return std::nullopt;
-    const Line line = make_line(motion.from - terms_.middle, motion.to - terms_.middle);
-    sequence_->add_line(line, is_chord, motion.record);
-    if (is_chord) clear_with(line);
-    return std::nullopt;
-  }
-  if (motion.is_arc && motion.rot == 0 && !(motion.from == motion.to)) {
-    doubt(GapReason::unjudged_form, "An arc has no direction.");
-  }
-  if (motion.is_arc || motion.from == motion.to) {
+  const bool is_line = !motion.is_arc && !(motion.from == motion.to);
+  if (is_line) {
+    const Line line = line_of(motion);
+    if (sequence_) sequence_->add_line(line, is_chord, motion.record);
+    if (is_chord || terms_.by_border) clear_with(line);
+  } else if (terms_.by_border) {
+    if (motion.rot == 0 && !(motion.from == motion.to)) {
+      doubt(GapReason::unjudged_form, "An arc has no direction.");
+    }
     clear_with_ends(motion);
-  } else {
-    clear_with(make_line(motion.from - terms_.middle, motion.to - terms_.middle));
   }
   return std::nullopt;
 }
 
 std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) {
   const bool counterclockwise = motion.rot > 0;
-  const bool open = is_open(motion, terms_.open_turns.within);
+  const bool open = is_open(motion, terms_.turns.within);
   if (motion.from == motion.centre || motion.to == motion.centre) {
     // One that is as small as the tolerance came to it by rounding.
     if (!ends_agree(motion, terms_.tolerance)) {
@@ -335,19 +332,12 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
   return std::nullopt;
 }
 
-Reach reach_within(const PlanePoint& point, const RoundedRectangle& limit) {
-  return reach_of_point(point, limit);
-}
-Reach reach_within(const Arc& arc, const RoundedRectangle& limit) {
-  return reach_of_arc(arc, limit);
-}
-
 // Inside the border and a margin, or outside of it, whichever way the slack falls. How far outside
 // is counted from the border itself.
 template <class Part>
 Reach LevelJudge::reach_of(const Part& part, const Number& margin) const {
   const auto within_margin = [&](const Number& wide) {
-    Reach reach = reach_within(part, with_radius(border_, border_.radius + wide));
+    Reach reach = region::reach_of(part, with_radius(border_, border_.radius + wide));
     if (reach.kind == Reach::Kind::outside) reach.beyond += wide;
     return reach;
   };
@@ -443,14 +433,14 @@ std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle
 // J-PATH-06: as the records say; else as rounding may have meant them.
 LevelVerdict judge_turns(const Terms& terms, std::span<const LevelMotion> motions, Method method) {
   Terms as_stated = terms;
-  as_stated.open_turns.within = 0;
+  as_stated.turns.within = 0;
   LevelVerdict stated = LevelJudge(as_stated, motions, method).judge();
   const bool any_open = std::ranges::any_of(
-      motions, [&](const LevelMotion& motion) { return is_open(motion, terms.open_turns.within); });
+      motions, [&](const LevelMotion& motion) { return is_open(motion, terms.turns.within); });
   if (stated.kind == LevelVerdict::Kind::go || !any_open) return stated;
   LevelVerdict meant = LevelJudge(terms, motions, method).judge();
   if (meant.kind == LevelVerdict::Kind::no_go) return stated;
-  if (!terms.open_turns.is_ambiguous) return meant;
+  if (!terms.turns.is_ambiguous) return meant;
   return gap(GapReason::two_readings,
              "Rounding decides whether an arc makes a turn more or less than its record says.");
 }

@@ -7,20 +7,18 @@
 
 namespace gonogo::oracle::region {
 
-// What the two kinds of level have in common.
-struct Terms {
+// Either kind of level.
+struct Terms : LevelTerms {
+  explicit Terms(const LevelTerms& terms)
+      : LevelTerms(terms), turns(terms.open_turns.value_or(OpenTurns{terms.tolerance})) {}
+
   PlanePoint middle;
   RoundedRectangle area;  // about the middle
   std::optional<RoundedRectangle> cleared;
   std::optional<Number> step;
   bool by_border = false;  // lines clear like arcs, and only what runs along the border has a sense
-  Number tool_radius;
-  int sense;
-  PlanePoint plunge;
-  Number tolerance;
   Number slack;
-  Number chord;  // 0: none are granted
-  OpenTurns open_turns;
+  OpenTurns turns;  // what is open of them: asked for, or within the tolerance
 
   // Where the tool's centre may be.
   RoundedRectangle border() const { return with_radius(area, area.radius - tool_radius); }
