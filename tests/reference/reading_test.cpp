@@ -51,11 +51,10 @@ TEST(Reading, EachIsOpenByDefaultButWhereATextDecides) {
     EXPECT_TRUE(!entry.by_properties || entry.fallback == "any") << entry.name;
     if (entry.fallback != "any") decided.insert(entry.name);
   }
-  EXPECT_EQ(decided,
-            (std::set<std::string_view>{"ngc.cycle.approach", "ngc.cycle.g91-r", "ngc.cycle.sticky",
-                                        "ngc.feed-units", "ngc.g76.checks", "ngc.g83.return",
-                                        "ngc.peck.dwell", "ngc.program-end", "ngc.unused-words",
-                                        "sie.spindle"}));
+  EXPECT_EQ(decided, (std::set<std::string_view>{
+                         "ngc.cycle.approach", "ngc.cycle.g91-r", "ngc.cycle.sticky",
+                         "ngc.feed-units", "ngc.g76.checks", "ngc.g83.return", "ngc.peck.dwell",
+                         "ngc.program-end", "ngc.unused-words", "sie.spindle"}));
 }
 
 TEST(Reading, EachNamesItsDialectItsClauseAndItsChoice) {
