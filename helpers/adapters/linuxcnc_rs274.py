@@ -32,7 +32,7 @@ class LinuxcncRs274(Subject):
             "resolution": lambda value: Decimal(str(value)) >= Decimal("0.0001"),
         })
         if refused is None:
-            self.flags = [*linuxcnc.tool_options(profile), "-v", "parameters.var",
+            self.flags = [*linuxcnc.TOOL_OPTIONS, "-v", "parameters.var",
                           *["-b"] * bool(profile.get("block_skip"))]
             self.parameters = linuxcnc.parameters(profile).encode()
             self._write("tool.tbl", linuxcnc.tool_table(profile).encode())

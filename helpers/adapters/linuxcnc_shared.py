@@ -161,14 +161,13 @@ def load_tools(folder, profile):
     for name, text in (("empty.ngc", "M2\n"), ("tool.tbl", tool_table(profile))):
         with open(os.path.join(folder, name), "w", encoding="ascii") as file:
             file.write(text)
-    subprocess.run(["rs274", *tool_options(profile), "-g", "empty.ngc"], cwd=folder,
+    subprocess.run(["rs274", *TOOL_OPTIONS, "-g", "empty.ngc"], cwd=folder,
                    env=home(folder), check=True, stdin=subprocess.DEVNULL,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
-def tool_options(profile):
-    # Without a table LinuxCNC has tools of its own making, of length zero.
-    return ["-t", "tool.tbl"] if profile.get("tools") else []
+# Also of a profile without tools: without a table LinuxCNC has three of its own making.
+TOOL_OPTIONS = ["-t", "tool.tbl"]
 
 
 def open_tools(folder):
