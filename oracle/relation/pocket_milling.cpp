@@ -269,13 +269,19 @@ class MillingConditions {
       }
       return true;
     }
-    if (Number(static_cast<std::int64_t>(levels_.size())) != pocket_.level_count()) return false;
-    Number number;
-    for (const Level& level : levels_) {
-      number += 1;
-      if (abs(level.depth - rational_near(pocket_.depth_of_level(number))) > off) return false;
+    // A level no farther down than the limit leaves no trace of its own.
+    auto level = levels_.begin();
+    Number above = rational_near(pocket_.reference_plane);
+    for (Number number = 1; number <= pocket_.level_count(); number += 1) {
+      const Number depth = rational_near(pocket_.depth_of_level(number));
+      if (level != levels_.end() && abs(level->depth - depth) <= off) {
+        ++level;
+      } else if (above - depth > off) {
+        return false;
+      }
+      above = depth;
     }
-    return true;
+    return level == levels_.end();
   }
 
   Cover cover_of(const Level& level) const {
