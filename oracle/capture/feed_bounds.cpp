@@ -15,6 +15,8 @@ constexpr std::size_t kMost = 100'000;          // samples of one motion that ar
 }  // namespace
 
 void FeedWatch::add(double time, double low, double high, std::size_t number) {
+  // As far as it can be told the machine still rests at the start.
+  if (places_.size() == 1 && places_.front().low <= 0 && low <= 0) places_.clear();
   if (places_.size() == kMost) {  // every other one says as much of a motion so long
     for (std::size_t i = 0; i < kMost / 2; ++i) places_[i] = places_[2 * i];
     places_.resize(kMost / 2);

@@ -9,6 +9,7 @@
 //             below the feed by more than was granted, and the speed there is steady: that of its
 //             four quarters is the same but for the part that was granted. A motion too short to
 //             come to a steady speed is not found too slow.
+// A motion begins with the last sample that may lie at its start: rest before it has no speed.
 #pragma once
 
 #include <cstddef>

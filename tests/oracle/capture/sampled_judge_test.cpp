@@ -126,6 +126,18 @@ TEST(SampledJudge, AFeedWrongByAFifthIsNoGoAndByAFiftiethIsGo) {
   }
 }
 
+// The first cut begins where the log does: 200 s at its start are no part of it.
+TEST(SampledJudge, RestBeforeTheFirstCutIsNoSlowFeed) {
+  for (const double feed : {300.0, 240.0}) {
+    SampledMachine machine;
+    machine.stand(200).line({.x = 10}, feed, 500).stand(1);
+    const Verdict verdict =
+        judge_samples({.program = "G1 X10 F300\nM2\n", .dialect = "rs274"}, machine.csv());
+    EXPECT_EQ(decision(verdict.kind), feed == 300.0 ? Decision::go : Decision::no_go)
+        << feed << verdict.message;
+  }
+}
+
 TEST(SampledJudge, AFeedWrongByAFifthIsGoWhenSoMuchWasGranted) {
   SampledMachine machine = box_start();
   pass(machine, -5, kFeed * 1.2);
