@@ -148,6 +148,9 @@ class Subject {
   virtual RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) = 0;
   // Makes the next run start in a fresh process (or handle).
   virtual void renew() = 0;
+  // Behind the last run: ends what stands behind the subject. How it broke down in that; nothing:
+  // it did not, or nothing stands there.
+  virtual std::optional<RunEnd> finish() { return std::nullopt; }
   // Another time limit for the next runs.
   virtual void set_run_limit(std::chrono::milliseconds limit) { static_cast<void>(limit); }
   // Whether a run in a fresh process can differ from one in a used one.

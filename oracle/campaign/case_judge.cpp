@@ -7,7 +7,6 @@
 
 #include "oracle/judge/step_text.hpp"
 #include "oracle/records/finding.hpp"
-#include "oracle/subjects/farewell.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -303,7 +302,7 @@ void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const A
 
 // J-RUN-08.
 void CaseJudge::finish(const Case& test, CaseResult& result) {
-  const std::optional<RunEnd> broken = oracle::finish(*subject_);
+  const std::optional<RunEnd> broken = subject_->finish();
   if (!broken) return;
   result.verdict = {};
   result.verdict.kind = VerdictKind::crash;

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "oracle/records/text.hpp"
-#include "oracle/subjects/farewell.hpp"
 #include "oracle/subjects/library_file.hpp"
 #include "oracle/subjects/library_host.hpp"
 #include "oracle/subjects/process.hpp"
@@ -21,7 +20,7 @@ std::string host_command(const std::string& program, const std::string& options,
 }
 
 // The subject behind the pipe, with the library's name in what is said of it.
-class LibrarySubject : public Subject, public Farewell {
+class LibrarySubject : public Subject {
  public:
   LibrarySubject(const std::string& path, const Limits& limits, const std::string& program)
       : name_(std::filesystem::path(path).filename().string()),
@@ -34,7 +33,11 @@ class LibrarySubject : public Subject, public Farewell {
   }
   void renew() override { pipe_->renew(); }
   // It may be `destroy` that aborts.
-  std::optional<RunEnd> finish() override { return oracle::finish(*pipe_); }
+  std::optional<RunEnd> finish() override {
+    std::optional<RunEnd> end = pipe_->finish();
+    if (end) end->message = named(end->message);
+    return end;
+  }
   void set_run_limit(std::chrono::milliseconds limit) override { pipe_->set_run_limit(limit); }
   bool keeps_state() const override { return pipe_->keeps_state(); }
 
@@ -51,7 +54,7 @@ class LibrarySubject : public Subject, public Farewell {
       case RunEnd::Kind::out_of_memory:
       case RunEnd::Kind::protocol:
       case RunEnd::Kind::error:
-        end.message = fmt::format("{}: {}", name_, end.message);
+        end.message = named(end.message);
         break;
       default:
         break;
@@ -60,6 +63,10 @@ class LibrarySubject : public Subject, public Farewell {
   }
 
  private:
+  std::string named(std::string_view message) const {
+    return fmt::format("{}: {}", name_, message);
+  }
+
   std::string name_;
   std::unique_ptr<Subject> pipe_;
 };

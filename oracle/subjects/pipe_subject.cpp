@@ -10,13 +10,12 @@
 
 #include "oracle/records/text.hpp"
 #include "oracle/subjects/configuration.hpp"
-#include "oracle/subjects/farewell.hpp"
 #include "oracle/subjects/pipe_session.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
-class PipeSubject : public Subject, public Farewell {
+class PipeSubject : public Subject {
  public:
   PipeSubject(const std::string& command, const Limits& limits)
       : command_(command), limits_(limits) {

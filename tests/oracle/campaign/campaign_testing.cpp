@@ -7,7 +7,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "oracle/subjects/farewell.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
@@ -75,7 +74,7 @@ void write_corpus(const Scratch& scratch, int cases) {
 
 namespace {
 
-class Fake : public Subject, public Farewell {
+class Fake : public Subject {
  public:
   explicit Fake(FakeSubject fake) : fake_(std::move(fake)) {
     if (fake_.info) info_ = *fake_.info;

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "oracle/subjects/farewell.hpp"
 #include "run_subject.hpp"
 
 namespace gonogo::oracle {
@@ -133,14 +132,14 @@ TEST(PipeSubject, AnExitInARunIsACrashWhateverItsCode) {
 TEST(PipeSubject, AnAbortWhereItIsToldToStopIsACrash) {
   auto subject = fake_pipe("aborts-at-stop");
   EXPECT_EQ(run(*subject).end.kind, Kind::ok);
-  const std::optional<RunEnd> end = finish(*subject);
+  const std::optional<RunEnd> end = subject->finish();
   ASSERT_TRUE(end.has_value());
   EXPECT_EQ(end->kind, Kind::crash);
   EXPECT_NE(end->message.find("signal 6 (Aborted) when it was told to stop"), std::string::npos)
       << end->message;
   auto good = fake_pipe("good");
   EXPECT_EQ(run(*good).end.kind, Kind::ok);
-  EXPECT_FALSE(finish(*good).has_value());
+  EXPECT_FALSE(good->finish().has_value());
 }
 
 TEST(PipeSubject, IsStartedAgainAfterACrash) {
