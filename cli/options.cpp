@@ -64,6 +64,7 @@ oracle::Limits LimitOptions::limits() const {
   if (memory > 0) limits.memory_bytes = static_cast<std::size_t>(memory) << 20;
   limits.environment = environment;
   limits.show_ids = show_ids;
+  limits.stated = stated;
   if (!feed_tolerance.empty()) {
     limits.capture.feed_tolerance =
         *decimal_option(feed_tolerance, "--feed-tolerance", "percent") / 100;

@@ -72,7 +72,9 @@ std::optional<Observation> Explainer::observe(const ProgramAsked& asked) {
                                seen.outcome.records, seen.outcome.end)
                      .verdict;
   if (decision(seen.verdict.kind) == Decision::undecided) return std::nullopt;
-  if (shown) {
+  // A pass without an alarm is one under an alternative that has none there.
+  const bool ran_on = !seen.departs() && seen.outcome.end.kind == oracle::RunEnd::Kind::ok;
+  if (shown && !ran_on) {
     seen.alarm = shown->end.alarm.block;
     seen.alarms = shown->admitted;
   }

@@ -121,7 +121,8 @@ class Linuxcnc(Lines, Distances, Arcs):
             {"k": "rapid", "b": 1, "to": {"x": 1}}, {"k": "rapid", "b": 2, "to": {"x": 2}}])
 
     def test_tools(self):
-        self.assertRecords("T1 M6\nG0 X1\n", [{"k": "rapid", "b": 2, "to": {"x": 1}}])
+        self.assertRecords("T1 M6\nG0 X1\n", [{"k": "rapid", "b": 2, "to": {"x": 1}}],
+                           profile={"tools": {"1": {"radius": "3"}}})
 
     def test_nothing_runs_after_m2(self):
         self.assertRecords("G0 X1\nM2\nG0 X2\n", [{"k": "rapid", "b": 1, "to": {"x": 1}}])

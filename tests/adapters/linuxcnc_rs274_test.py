@@ -30,7 +30,7 @@ class LinuxcncRs274(Linuxcnc, AdapterCase):
         self.assertRecords("G20 G0 X0.00004\n", [{"k": "rapid", "to": {"x": 0}}])
 
     def assertFunctions(self, program, numbers):
-        records = self.run_program(program)["records"]
+        records = self.run_program(program, {"tools": {"1": {"radius": "3"}}})["records"]
         self.assertEqual([record["m"] for record in records if record["k"] == "m"], numbers)
 
     def test_functions(self):

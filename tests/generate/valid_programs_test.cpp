@@ -16,7 +16,7 @@ namespace gonogo::generate {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr std::uint64_t kPrograms = 500;
+constexpr std::uint64_t kPrograms = 1'500;
 
 const reference::Dialect& dialect_of(const Generator& generator) {
   return *reference::find_dialect(generator.dialect);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <map>
 
@@ -18,7 +20,8 @@ constexpr std::size_t kPrograms = 150;
 // A folder that is gone in the end.
 class FreshFolder {
  public:
-  FreshFolder() : path_(::testing::TempDir() + "fresh-programs") {
+  // Other tests of this program run beside it.
+  FreshFolder() : path_(::testing::TempDir() + "fresh-programs-" + std::to_string(getpid())) {
     std::filesystem::remove_all(path_);
   }
   FreshFolder(const FreshFolder&) = delete;

@@ -173,7 +173,7 @@ TEST(Repertoire, TheFaultOfASubjectThatTakesItsWordsInOneOrderOnlyIsFound) {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
     Hunt hunt(lines_only("feed-after-motion"), {}, hunting("rs274", seed));
     bool found = false;
-    for (std::size_t i = 0; i < 5'000 && !found; ++i) {
+    for (std::size_t i = 0; i < 10'000 && !found; ++i) {
       const auto finding = hunt.step();
       found = finding && finding->signature.code == "G1";
     }

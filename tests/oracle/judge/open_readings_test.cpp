@@ -85,6 +85,7 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
   std::size_t touched = 0;
   std::size_t known = 0;
   std::size_t too_many = 0;
+  long elsewhere = 0;
   for (long i = 0; i < trials.count; ++i) {
     const generate::Generator& generator = trials.one_of(generate::generators());
     const GeneratedOutcome of =
@@ -110,6 +111,13 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
       // For those that departed only the last tells; what makes a difference behind it is not
       // known.
       if (decision(said.verdict.kind) != Decision::go) continue;
+      // One that is asked for only where the reference's own path ends makes no difference on the
+      // subject's.
+      if (whole.verdict.kind == VerdictKind::pass_properties &&
+          said.explaining.size() < whole.explaining.size()) {
+        ++elsewhere;
+        continue;
+      }
       ASSERT_EQ(text_of(said), text_of(whole)) << where;
       ASSERT_TRUE(std::ranges::is_permutation(said.explaining, whole.explaining)) << where;
       // Behind a departure others may make a difference that nobody looks at.
@@ -128,6 +136,7 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
   EXPECT_GT(touched, 0U);
   EXPECT_GT(known, 0U);
   EXPECT_GT(too_many, 0U);
+  EXPECT_LE(elsewhere, trials.count / 100);
 }
 
 // The 840D asks for sie.arc.correct at the arc, whose end is 0.003 mm off its circle: after far
