@@ -365,6 +365,34 @@ void check_cycles(const CertifyOptions& options, const oracle::Corpus& corpus) {
   }
 }
 
+struct Ended {
+  oracle::CampaignEnd end;
+  oracle::FreshCounts fresh;
+};
+
+// The cases of the corpus, and programs that are in none.
+Ended run_all(const CertifyOptions& options, const oracle::Corpus& corpus,
+              const oracle::CampaignOptions& campaign, const oracle::SubjectMaker& maker,
+              const std::string& subject, const std::string& report,
+              oracle::ResultsWriter& results) {
+  const auto begin = std::chrono::steady_clock::now();
+  Ended ended{run_cases(corpus, campaign, maker, subject, results), {}};
+  const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(
+      std::chrono::steady_clock::now() - begin);
+  ended.fresh =
+      ask_fresh_programs(options, {corpus, campaign, maker, subject, took}, report, results);
+  return ended;
+}
+
+// A shard may have none.
+void need_cases(const CampaignSummary& summary, const oracle::CampaignOptions& campaign,
+                const oracle::Corpus& corpus) {
+  if (summary.answer.cases > 0 || campaign.shards > 1) return;
+  throw UsageError(
+      fmt::format("No case of the corpus {} is selected. `gonogo corpus list` names the cases.",
+                  corpus.folder()));
+}
+
 int certify_one(CertifyOptions options, const std::string& subject, const std::string& report) {
   // A pass is proven by its trace alone.
   if (!options.certificate.empty() && options.traces.empty()) options.traces = report + "/traces";
@@ -393,16 +421,9 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
     const oracle::ResultsHeader header = results_header(options, subject, corpus, campaign, info);
     open_results(options, results_path, header, results);
     need_selected(corpus, campaign, *results);
-    const auto begin = std::chrono::steady_clock::now();
-    const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, *results);
-    const auto took = std::chrono::steady_clock::now() - begin;
-    const oracle::FreshCounts fresh =
-        ask_fresh_programs(options,
-                           {corpus, campaign, maker, subject,
-                            std::chrono::duration_cast<std::chrono::milliseconds>(took)},
-                           report, *results);
-    summary = close_results(campaign, end, fresh, *results, info.recorded ? &captured : nullptr,
-                            known ? &*known : nullptr);
+    const Ended ended = run_all(options, corpus, campaign, maker, subject, report, *results);
+    summary = close_results(campaign, ended.end, ended.fresh, *results,
+                            info.recorded ? &captured : nullptr, known ? &*known : nullptr);
     describe_smallest(corpus, header, summary);
     name_causes(options, corpus, campaign, maker, subject, report, summary);
   } catch (const oracle::CorpusError& error) {
@@ -414,12 +435,7 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
                                   error.what()),
                       false);
   }
-  if (summary.answer.cases == 0 && campaign.shards == 1) {
-    throw UsageError(
-        fmt::format("No case of the corpus {} is selected. `gonogo corpus list` names "
-                    "the cases.",
-                    corpus.folder()));
-  }
+  need_cases(summary, campaign, corpus);
   std::string beside =
       info.recorded ? captured_text(options, subject, corpus, captured) : std::string();
   if (known) beside += known->write(corpus, summary);
