@@ -140,8 +140,7 @@ void Correspondence::close_at_end(const Place& place, const Record& end) {
   if (got.part != Part::close) return;
   if (got.item != nullptr) {
     const Record& closed = got.source();
-    // Nothing comes behind the end, and it names places that agree.
-    if (got.record + 1 != outcome_.records.size() || outcome_.alarm != nullptr) return;
+    // Nothing comes behind the end (definition.cpp), and it names places that agree.
     for (const reference::Axis axis : reference::kAllAxes) {
       if (!closed.axes.has(axis)) continue;
       if (abs(rational_near(closed.to[axis] - end.to[axis])) > terms_.tolerance) return;

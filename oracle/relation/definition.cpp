@@ -117,26 +117,27 @@ const reference::Reading* open_reading(const reference::ReadingChoice& choice,
 // lowest and the highest place that it has been at, along an axis of the record.
 std::set<std::string> lengths_shown(const reference::Profile& profile, const Outcome& outcome,
                                     std::size_t number) {
-  std::set<std::string> lengths;
+  if (number >= outcome.records.size() || !is_motion(outcome.records[number].kind)) return {};
   reference::Position here = profile.initial.at;
   reference::Position low = here;
   reference::Position high = here;
-  for (std::size_t i = 0; i <= number && i < outcome.records.size(); ++i) {
-    const reference::Record& record = outcome.records[i];
+  for (const reference::Record& record : outcome.records.first(number)) {
     if (!is_motion(record.kind)) continue;
-    const reference::Position to = end_of(record, here);
+    here = end_of(record, here);
     for (const reference::Axis axis : reference::kLinearAxes) {
-      for (const Number& at : {here[axis], to[axis]}) {
-        if (i != number || !record.axes.has(axis)) continue;
-        for (const Number& extreme : {low[axis], high[axis]}) {
-          const Number length = abs(at - extreme);
-          if (length.is_rational() && length.sign() != 0) lengths.insert(length.text());
-        }
-      }
-      low[axis] = min(low[axis], to[axis]);
-      high[axis] = max(high[axis], to[axis]);
+      low[axis] = min(low[axis], here[axis]);
+      high[axis] = max(high[axis], here[axis]);
     }
-    here = to;
+  }
+  const reference::Record& departing = outcome.records[number];
+  const reference::Position to = end_of(departing, here);
+  std::set<std::string> lengths;
+  for (const reference::Axis axis : reference::kLinearAxes) {
+    if (!departing.axes.has(axis)) continue;
+    for (const Number& length : {abs(here[axis] - low[axis]), abs(here[axis] - high[axis]),
+                                 abs(to[axis] - low[axis]), abs(to[axis] - high[axis])}) {
+      if (length.is_rational() && length.sign() != 0) lengths.insert(length.text());
+    }
   }
   return lengths;
 }
