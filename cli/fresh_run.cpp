@@ -23,8 +23,8 @@ using std::chrono::milliseconds;
 // small in that time, too.
 constexpr milliseconds kLeastTime{8'000};
 constexpr int kPartOfTheRun = 6;
-// As long as a case may take that is run again: the machine may be slow.
-constexpr int kPatience = 4;
+// So many times the limit of a case, as where one is run again: the machine may be slow.
+constexpr int kTimesTheLimit = 4;
 
 using Wanted = std::map<std::string, std::size_t>;
 
@@ -54,7 +54,7 @@ hunt::TrialOptions trial_of(const oracle::CampaignOptions& campaign) {
   trial.feed_resolution = campaign.grants.feed_resolution;
   trial.strict = campaign.grants.strict;
   trial.alarm_map = campaign.alarm_map;
-  trial.run_limit = campaign.limits.run * kPatience;
+  trial.run_limit = campaign.limits.run * kTimesTheLimit;
   return trial;
 }
 

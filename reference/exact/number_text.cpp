@@ -176,7 +176,7 @@ void Number::append_json(std::string& out) const {
     const std::array<std::string, 3> parts = {rational_text(a), rational_text(b), rational_text(c)};
     if (std::ranges::all_of(parts, fits)) return append_object(out, "root", parts);
   }
-  // Nor can an exact value be written that nobody may read.
+  // An exact value that no reader takes, for it is too long, is enclosed.
   append_object(out, "enclosure", enclosure_text(*this));
 }
 
