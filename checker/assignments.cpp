@@ -43,14 +43,14 @@ void Assignments::add(const std::vector<std::string>& explaining) {
 }
 
 std::string Assignments::against(const std::vector<std::string>& stated) const {
-  if (too_many_) return "More than 4096 assignments of readings may explain the run.";
+  if (too_many_) return "More than 4096 combinations of readings may explain the run.";
   std::set<Readings> told;
   for (const std::string& text : stated) told.insert(parse_assignment(text));
   // Where no reading is open the footer says nothing, or the one empty assignment.
   if (told.empty()) told.insert(Readings());
   if (told == explaining_) return {};
   return "The footer names " + std::to_string(stated.size()) +
-         " assignments of readings that explain the run; the lines leave " +
+         " combinations of readings that explain the run; the lines leave " +
          std::to_string(explaining_.size()) + ", and not the same.";
 }
 

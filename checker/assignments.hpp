@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The assignments of open readings that explain a whole run.
+// The combinations of open readings that explain a whole run.
 #pragma once
 
 #include <set>

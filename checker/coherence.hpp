@@ -13,8 +13,8 @@ namespace gonogo::checker {
 
 struct Coherence {
   std::vector<std::string> faults;     // sentences
-  std::vector<std::string> undecided;  // what could not be told, and why
-  std::size_t enclosed_arcs = 0;       // their radii are equal as far as enclosures tell
+  std::vector<std::string> undecided;  // what could not be decided, and why
+  std::size_t enclosed_arcs = 0;       // their radii are equal within their enclosures
 };
 
 Coherence coherence_of(const Vector& vector);

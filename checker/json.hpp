@@ -44,7 +44,7 @@ class Json {
   long integer() const;
   // The texts of a list of texts; throws Fault.
   std::vector<std::string> texts() const;
-  // The same value, whatever the order of members and the blanks.
+  // The same value; the order of members and blanks do not count.
   bool same_as(const Json& other) const;
 };
 

@@ -55,7 +55,7 @@ int check_vectors_of(const std::vector<std::string>& words) {
   return gonogo::checker::check_vectors(words[1], stdout);
 }
 
-// What was found counts only where it was told.
+// What was found counts only where it was printed.
 int told(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   std::fprintf(stderr, "gonogo-check: standard output cannot be written.\n");

@@ -21,7 +21,7 @@ bool is_among(const std::string& name, const std::string& names) {
 class Match {
  public:
   Match(const Vector& vector, const Expectation& expectation, const Trace& trace,
-        const Terms& terms)
+        const Tolerances& terms)
       : vector_(vector),
         expectation_(expectation),
         trace_(trace),
@@ -29,21 +29,21 @@ class Match {
         want_(make_path(expectation.records, path_terms(true))),
         got_(make_path(trace.records, path_terms(false))) {}
 
-  Finding find() {
+  Judgement find() {
     const bool is_alarm = expectation_.ending == Expectation::Ending::alarm;
     const bool at_load = is_alarm && alarms_at_load(vector_.profile) && got_.motions.empty() &&
                          trace_.ending != TraceEnd::end;
     if (at_load) {
-      const Finding alarm = find_alarm();
+      const Judgement alarm = find_alarm();
       return alarm.answer == Answer::fits ? find_functions(expectation_.any_of.front().block, true)
                                           : alarm;
     }
-    if (Finding path = follow(0, 0); path.answer != Answer::fits) return path;
+    if (Judgement path = follow(0, 0); path.answer != Answer::fits) return path;
     switch (expectation_.ending) {
       case Expectation::Ending::not_covered:
         return {};
       case Expectation::Ending::alarm:
-        if (Finding alarm = find_alarm(); alarm.answer != Answer::fits) return alarm;
+        if (Judgement alarm = find_alarm(); alarm.answer != Answer::fits) return alarm;
         return find_functions(expectation_.any_of.front().block, false);
       case Expectation::Ending::end:
         return find_end();
@@ -69,7 +69,7 @@ class Match {
   }
 
   // At motion `at` of what must come.
-  Finding departure(std::size_t at, const std::string& why) const {
+  Judgement departure(std::size_t at, const std::string& why) const {
     const auto is_open = [&](std::size_t i) {
       return i < want_.motions.size() && want_.motions[i].is_open;
     };
@@ -125,7 +125,7 @@ class Match {
   }
 
   // From motion `at` of what must come and motion `next` of the subject on.
-  Finding follow(std::size_t at, std::size_t next) {
+  Judgement follow(std::size_t at, std::size_t next) {
     std::optional<MotionMatch> current;
     for (; next < got_.motions.size(); ++next) {
       const Motion& got = got_.motions[next];
@@ -152,10 +152,10 @@ class Match {
   }
 
   // A motion about as short as the tolerance may have been dropped by one side and kept by the
-  // other. Where the departure is gone without such motions, whether it is one is not told.
-  Finding without_short(std::size_t at, std::size_t next, Finding departure) {
+  // other. Where the departure is gone without such motions, whether it is one is open.
+  Judgement without_short(std::size_t at, std::size_t next, Judgement departure) {
     if (departure.answer != Answer::departs) return departure;
-    const Finding unknown{Answer::undecided, "a motion about as short as the tolerance"};
+    const Judgement unknown{Answer::undecided, "a motion about as short as the tolerance"};
     if (tries_ == 0 || starts_nearby(at, next)) return unknown;
     --tries_;
     if (at < want_.motions.size() && may_be_done(at, next) &&
@@ -166,12 +166,12 @@ class Match {
     const Motion& got = got_.motions[next];
     const bool is_arc = is_short_arc(got);
     if (!is_arc && !is_short(got)) return departure;
-    const Finding rest = follow(at, next + 1);
+    const Judgement rest = follow(at, next + 1);
     if (rest.answer == Answer::departs) return departure;
     return is_arc && !may_go_round(got) ? rest : unknown;
   }
 
-  Finding find_alarm() const {
+  Judgement find_alarm() const {
     std::string wanted;
     for (const ExpectedAlarm& alarm : expectation_.any_of) {
       wanted += " " + alarm.kind + " in line " + std::to_string(alarm.block);
@@ -190,7 +190,7 @@ class Match {
                                  std::to_string(trace_.alarm.block) + " for" + wanted + "."};
   }
 
-  Finding find_end() const {
+  Judgement find_end() const {
     if (trace_.ending == TraceEnd::unknown) return {Answer::undecided, "the ending is not kept"};
     if (trace_.ending == TraceEnd::alarm) {
       return {Answer::departs, "There is an alarm, " + trace_.alarm.kind + ", and none must come."};
@@ -208,7 +208,7 @@ class Match {
 
   // The M functions in their order; those that the line of an alarm says may come or not. Without
   // lines they may be the last ones. At load the first of them will do.
-  Finding find_functions(long alarm_block, bool at_load) const {
+  Judgement find_functions(long alarm_block, bool at_load) const {
     if (!terms_.has_functions) return {};
     // A program without an end alarms in its last line, whose functions have run (NGC-COM-08).
     std::vector<Record> want = want_.functions;
@@ -236,11 +236,11 @@ class Match {
   }
 
   // An M function stands before or after the motions of its block, not among those of another.
-  // Whether it may stand elsewhere than where it is due is not told here.
-  Finding find_places() const {
+  // Whether it may stand elsewhere than where it is due is left open here.
+  Judgement find_places() const {
     const bool as_due = got_.behind == want_.behind && !got_.joins_over_function;
     if (as_due || got_.motions.empty()) return {};
-    const Finding unknown{Answer::undecided, "the place of an M function in its block"};
+    const Judgement unknown{Answer::undecided, "the place of an M function in its block"};
     if (!terms_.has_blocks) return unknown;
     for (std::size_t i = 0; i < got_.functions.size(); ++i) {
       const long block = got_.functions[i].block;
@@ -269,7 +269,7 @@ class Match {
   const Vector& vector_;
   const Expectation& expectation_;
   const Trace& trace_;
-  const Terms& terms_;
+  const Tolerances& terms_;
   Path want_;
   Path got_;
   int tries_ = 64;
@@ -277,10 +277,10 @@ class Match {
 
 }  // namespace
 
-Finding match(const Vector& vector, const Expectation& expectation, const Trace& trace,
-              const Terms& terms) {
+Judgement match(const Vector& vector, const Expectation& expectation, const Trace& trace,
+                const Tolerances& terms) {
   Match made(vector, expectation, trace, terms);
-  Finding finding = made.find();
+  Judgement finding = made.find();
   finding.is_doubtful = made.is_doubtful();
   return finding;
 }

@@ -22,7 +22,7 @@ struct Trace {
 };
 
 // What the subject declared, and the certifier set.
-struct Terms {
+struct Tolerances {
   Real tolerance;                           // mm
   std::optional<Rational> resolution;       // lengths are rounded to it
   std::optional<Rational> feed_resolution;  // feeds are rounded to it
@@ -30,22 +30,22 @@ struct Terms {
   bool is_binary64 = false;                 // feeds may be off by 2 ulp
   bool is_exact = false;                    // it says that no number is rounded
   bool has_blocks = true;                   // the records name source lines
-  bool has_functions = true;                // M functions are told
+  bool has_functions = true;                // M functions are sent
 };
 
 enum class Answer { fits, departs, undecided };
 
-struct Finding {
+struct Judgement {
   Answer answer = Answer::fits;
   std::string why;  // a sentence, with the exact numbers; of `undecided`: the reason
-  // Motions about as short as the tolerance were left out, which the program may tell apart.
+  // Motions about as short as the tolerance were left out, which the program may distinguish.
   bool is_doubtful = false;
 };
 
 // `why` of an undecided finding in a path that the manual leaves open.
 inline constexpr const char* kOpenPath = "the path is open: judged by what it clears";
 
-Finding match(const Vector& vector, const Expectation& expectation, const Trace& trace,
-              const Terms& terms);
+Judgement match(const Vector& vector, const Expectation& expectation, const Trace& trace,
+                const Tolerances& terms);
 
 }  // namespace gonogo::checker

@@ -81,7 +81,7 @@ namespace {
 // R3: equal, or no farther off than rounding to the resolution makes it; where none is
 // declared, than rounding to the number's own last place and no more coarsely than the machine.
 Truth rounds_to(const Real& want, const Real& got, const std::optional<Rational>& resolution,
-                const Terms& terms) {
+                const Tolerances& terms) {
   Truth answer = equal(want, got);
   if (answer == Truth::yes) return answer;
   std::optional<Rational> step = resolution;
@@ -97,16 +97,16 @@ Truth rounds_to(const Real& want, const Real& got, const std::optional<Rational>
 
 }  // namespace
 
-Truth feed_agrees(const Real& want, const Real& got, const Terms& terms) {
+Truth feed_agrees(const Real& want, const Real& got, const Tolerances& terms) {
   return rounds_to(want, got, terms.feed_resolution, terms);
 }
 
-Truth lead_agrees(const Real& want, const Real& got, const Terms& terms) {
+Truth lead_agrees(const Real& want, const Real& got, const Tolerances& terms) {
   return rounds_to(want, got, terms.resolution, terms);
 }
 
 // Whole turns apart are the same.
-Truth angle_agrees(const Real& want, const Real& got, const Terms& terms) {
+Truth angle_agrees(const Real& want, const Real& got, const Tolerances& terms) {
   const Rational turns = floor_of(Rational((got - want).low() / 360 + Rational(1, 2)));
   return rounds_to(want + Real(Rational(turns * 360)), got, terms.resolution, terms);
 }
@@ -117,7 +117,8 @@ Truth root_at_most(const Real& x, const Real& y, const Real& t) {
   return at_most(rest, 0) || at_most(rest * rest, Real(4) * t * t * y);
 }
 
-MotionMatch::MotionMatch(const Motion& want, const Terms& terms) : want_(want), terms_(terms) {}
+MotionMatch::MotionMatch(const Motion& want, const Tolerances& terms)
+    : want_(want), terms_(terms) {}
 
 StepAnswer MotionMatch::answer(Truth done, const std::string& what) const {
   if (done == Truth::yes) return {Step::done, {}};
@@ -201,7 +202,7 @@ Truth MotionMatch::bounds_of(const Position& point, Bounds& bounds) const {
     const Real along = *point[axis] - *want_.from[axis];
     const auto before = (along - tolerance).over(way);
     const auto after = (along + tolerance).over(way);
-    if (!before || !after) {  // the axis stands still, or moves less than can be told
+    if (!before || !after) {  // the axis stands still, or moves less than can be seen
       on_line = on_line && within(along, 0, tolerance);
       continue;
     }
@@ -294,7 +295,7 @@ StepAnswer MotionMatch::arc_so_far(const Motion& so_far) const {
     if (wanted == made) return {};
     return made < wanted ? undecided("a helix in pieces") : departs("the turns differ");
   }
-  // J-PATH-06. The ends are so near that it hangs on the last digits what the last turn is.
+  // J-PATH-06. The ends are so near that it depends on the last digits what the last turn is.
   if (is_tiny(want_, terms_.tolerance)) return undecided("how many turns a small arc makes");
   const auto due = whole_turns(want_);
   const auto told = whole_turns(so_far);

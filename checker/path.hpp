@@ -35,7 +35,7 @@ struct Path {
 struct PathTerms {
   Position start;
   Real tolerance;     // mm or degrees: points no farther apart agree
-  long renaming = 0;  // from this line on positions are unknown until they are told; 0: none
+  long renaming = 0;  // from this line on positions are unknown until they are sent; 0: none
   std::function<bool(const Record&)> is_open = nullptr;
   // For a subject: whether an arc whose ends agree is a whole turn or none is seen when it is
   // matched.

@@ -2,7 +2,7 @@
 #include "checker/profile.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <regex>
 #include <utility>
 #include <vector>
@@ -17,113 +17,8 @@ struct Choice {
   std::string_view shown;
 };
 
-// `gonogo spec` prints the same.
-constexpr std::array kDefaults = {
-    Choice{"gsk.arc.tolerance-zero", "any", "off"},
-    Choice{"gsk.arc.zero-radius", "any", "alarm"},
-    Choice{"gsk.decimals", "any", "keep"},
-    Choice{"gsk.duplicate", "alarm", "alarm"},
-    Choice{"gsk.dwell-without-word", "any", "alarm"},
-    Choice{"gsk.g50.initial-plane", "any", "shifted"},
-    Choice{"gsk.g92.lead", "any", "own"},
-    Choice{"gsk.g94.after-00", "any", "stays"},
-    Choice{"gsk.g94.empty-block", "any", "none"},
-    Choice{"gsk.g94.in-mode", "any", "keep"},
-    Choice{"gsk.g94.rewrite", "any", "keep"},
-    Choice{"gsk.helix.entry-side", "any", "any"},
-    Choice{"gsk.helix.flat", "any", "off"},
-    Choice{"gsk.helix.L", "any", "per-block"},
-    Choice{"gsk.missing-axis", "any", "skip"},
-    Choice{"gsk.pocket.end", "any", "initial"},
-    Choice{"gsk.pocket.p-omitted", "any", "0"},
-    Choice{"gsk.pocket.pair", "any", "shared"},
-    Choice{"gsk.pocket.path", "any", "any"},
-    Choice{"gsk.pocket.R", "any", "per-block"},
-    Choice{"gsk.rotary-feed-inch", "any", "scaled"},
-    Choice{"gsk.thread.direction", "any", "alarm"},
-    Choice{"gsk.thread.k-range", "any", "360"},
-    Choice{"gsk.thread.modal", "any", "code"},
-    Choice{"gsk.thread.mode", "any", "pairs"},
-    Choice{"gsk.thread.path", "any", "any"},
-    Choice{"gsk.thread.r", "any", "optional"},
-    Choice{"gsk.thread.runout", "any", "any"},
-    Choice{"gsk.thread.v-from", "any", "r-plane"},
-    Choice{"gsk.x-depth", "any", "diameter"},
-    Choice{"gsk.zero-depth", "any", "no-cut"},
-    Choice{"gsk.zero-depth-end", "any", "initial"},
-    Choice{"hnc.arc.zero-radius", "any", "alarm"},
-    Choice{"hnc.g75.depth-scale", "any", "radius"},
-    Choice{"hnc.g75.end", "any", "start"},
-    Choice{"hnc.g75.i", "any", "I"},
-    Choice{"hnc.g75.mode3", "off", "off"},
-    Choice{"hnc.g75.steps", "any", "i-plus-1"},
-    Choice{"hnc.g82.e-scale", "any", "radius"},
-    Choice{"hnc.g82.exit", "any", "rapid"},
-    Choice{"hnc.g82.starts", "any", "all"},
-    Choice{"hnc.lead.unit", "mm", "mm"},
-    Choice{"hnc.missing-axis", "reject", "reject"},
-    Choice{"hnc.modal.f", "any", "feed"},
-    Choice{"hnc.offset.initial", "any", "G54"},
-    Choice{"hnc.peck.clamp", "any", "none"},
-    Choice{"hnc.peck.from", "any", "last-bottom"},
-    Choice{"hnc.peck.withdraw", "any", "rapid"},
-    Choice{"ngc.alarm-dwell", "any", "none"},
-    Choice{"ngc.arc-tolerance", "any", "nist"},
-    Choice{"ngc.arc-words-alone", "any", "arc"},
-    Choice{"ngc.bare-motion", "any", "nothing"},
-    Choice{"ngc.block-delete", "any", "unread"},
-    Choice{"ngc.call-parameters", "any", "kept"},
-    Choice{"ngc.cycle.alarm-at", "any", "block"},
-    Choice{"ngc.cycle.approach", "current-level", "current-level"},
-    Choice{"ngc.cycle.feed", "any", "needed"},
-    Choice{"ngc.cycle.g91-r", "current", "current"},
-    Choice{"ngc.cycle.initial", "any", "series"},
-    Choice{"ngc.cycle.initial-kept", "any", "place"},
-    Choice{"ngc.cycle.retract-start", "any", "r-plane"},
-    Choice{"ngc.cycle.sticky", "number", "number"},
-    Choice{"ngc.equal", "any", "millionth"},
-    Choice{"ngc.feed-units", "before", "before"},
-    Choice{"ngc.full-circle-words", "any", "free"},
-    Choice{"ngc.g33.k", "any", "positive"},
-    Choice{"ngc.g73.end", "any", "r-plane"},
-    Choice{"ngc.g74.l", "any", "allowed"},
-    Choice{"ngc.g76.checks", "text", "text"},
-    Choice{"ngc.g76.entry", "any", "thread"},
-    Choice{"ngc.g76.slide", "any", "start"},
-    Choice{"ngc.g80-beside", "any", "alarm"},
-    Choice{"ngc.g83.retract", "any", "r-plane"},
-    Choice{"ngc.g83.return", "rapid", "rapid"},
-    Choice{"ngc.g85.out", "any", "r-plane"},
-    Choice{"ngc.g92-other-axes", "any", "zero"},
-    Choice{"ngc.g94-feed", "any", "kept"},
-    Choice{"ngc.line-number", "any", "decimal"},
-    Choice{"ngc.lone-cr", "any", "line-end"},
-    Choice{"ngc.missing-tool", "any", "taken"},
-    Choice{"ngc.o-name", "any", "passed-over"},
-    Choice{"ngc.peck.clearance", "any", "ten-thou"},
-    Choice{"ngc.peck.d", "any", "barred"},
-    Choice{"ngc.peck.dwell", "none", "none"},
-    Choice{"ngc.program-end", "needed", "needed"},
-    Choice{"ngc.sign-of-value", "any", "taken"},
-    Choice{"ngc.tap.p", "any", "optional"},
-    Choice{"ngc.unused-words", "alarm", "alarm"},
-    Choice{"ngc.whole", "any", "exact"},
-    Choice{"sie.arc.correct", "any", "start-radius"},
-    Choice{"sie.corner", "clamp", "clamp"},
-    Choice{"sie.cr.tolerance", "any", "0"},
-    Choice{"sie.finish.levels", "any", "any"},
-    Choice{"sie.g158", "absolute", "absolute"},
-    Choice{"sie.g258", "any", "absolute"},
-    Choice{"sie.g70.f", "any", "mm"},
-    Choice{"sie.infeed", "any", "any"},
-    Choice{"sie.infeed-from", "any", "reference"},
-    Choice{"sie.initial-motion", "any", "g1"},
-    Choice{"sie.lc75.r125-limit", "any", "none"},
-    Choice{"sie.lcyc.unit", "any", "mm"},
-    Choice{"sie.pocket.path", "any", "any"},
-    Choice{"sie.rpl-equals", "lenient", "lenient"},
-    Choice{"sie.spindle", "off", "off"},
-};
+// kDefaults, as the catalog has them.
+#include "checker/readings.inc"
 
 const Json* inner(const Json& profile, std::string_view object, std::string_view key) {
   const Json* found = profile.find(object);
@@ -156,7 +51,7 @@ std::vector<std::string_view> lines_of(std::string_view program) {
 
 std::optional<std::string_view> default_reading(std::string_view key) {
   const auto found = std::ranges::find(kDefaults, key, &Choice::key);
-  if (found == kDefaults.end()) return std::nullopt;
+  if (found == std::end(kDefaults)) return std::nullopt;
   return found->otherwise;
 }
 
@@ -170,7 +65,7 @@ std::string reading(const Json& profile, std::string_view key) {
 std::string shown_reading(const Json& profile, std::string_view key) {
   const std::string said = reading(profile, key);
   const auto found = std::ranges::find(kDefaults, key, &Choice::key);
-  return said == "any" && found != kDefaults.end() ? std::string(found->shown) : said;
+  return said == "any" && found != std::end(kDefaults) ? std::string(found->shown) : said;
 }
 
 bool is_admissible(const Readings& when, const Json& profile) {
@@ -256,7 +151,7 @@ long renaming_line(std::string_view dialect, std::string_view program) {
 bool lines_come_again(std::string_view dialect, std::string_view program) {
   static const std::regex kWord(
       "[oO][ \\t]*([0-9]+|<[^>]*>|\\[.*\\])[ \\t]*"
-      "(while|do|repeat|sub|call|WHILE|DO|REPEAT|SUB|CALL)");
+      "(while|do|repeat|sub|call|WHILE|DO|REPEAT|SUB|CALL)|[mM][ \\t]*9[89]");
   return dialect == "rs274" && std::regex_search(program.begin(), program.end(), kWord);
 }
 

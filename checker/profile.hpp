@@ -39,7 +39,7 @@ bool says_m_function(std::string_view program, long line, long number);
 // The first line that may rename the position (G50 of GSK, G92 of HNC) without a record; 0: none.
 long renaming_line(std::string_view dialect, std::string_view program);
 // Whether the program may have loops or subroutines, whose lines come more than once: rs274 with a
-// line that begins with an O word.
+// line that begins with an O word, or with M98 or M99.
 bool lines_come_again(std::string_view dialect, std::string_view program);
 
 }  // namespace gonogo::checker

@@ -15,7 +15,7 @@ namespace gonogo::checker {
 
 using Rational = mpq_class;
 
-// `unknown`: the enclosures are too wide to tell.
+// `unknown`: the enclosures are too wide to decide.
 enum class Truth { no, yes, unknown };
 Truth operator&&(Truth x, Truth y);
 Truth operator||(Truth x, Truth y);

@@ -30,7 +30,7 @@ enum class RecordKind { rapid, feed, arc, arc3, thread, dwell, m, end };
 
 struct Record {
   RecordKind kind = RecordKind::rapid;
-  long block = 0;  // source line, from 1; 0: not told
+  long block = 0;  // source line, from 1; 0: not given
   Position to;     // what is named
   Real feed;       // mm/min, or mm/rev
   bool per_revolution = false;
@@ -47,7 +47,7 @@ struct Record {
 // An alarm as a subject gave it; `kind` is empty when it has no class of the gauge.
 struct Alarm {
   std::string kind;
-  long block = 0;  // 0: not told
+  long block = 0;  // 0: not given
 };
 
 // Throws Fault.

@@ -108,6 +108,14 @@ bool choose(Json& profile, const std::string& key, const std::string& value) {
   return true;
 }
 
+Words declared_dialects(const Json& header) {
+  Words names;
+  const Json* declared = header.member("subject", Json::Kind::object).find("dialects");
+  if (declared == nullptr || !declared->is(Json::Kind::object)) return names;
+  for (const JsonMember& dialect : declared->members) names.push_back(dialect.key);
+  return names;
+}
+
 }  // namespace
 
 std::vector<std::string> header_faults(const Json& header) {
@@ -131,8 +139,8 @@ std::vector<std::string> header_faults(const Json& header) {
   need("--shard", text_at(header, "shard") == (shard.empty() ? "1/1" : shard.back()));
   need("--reading", values_of(argv, "--reading") == texts_at(header, "readings"));
   const Json* strict = header.find("strict");
-  need("--strict", (std::ranges::find(argv, "--strict") != argv.end()) ==
-                       (strict != nullptr && strict->truth));
+  need("--strict",
+       (std::ranges::find(argv, "--strict") != argv.end()) == (strict != nullptr && strict->truth));
   const Words sandbox = values_of(argv, "--sandbox");
   const std::string sandboxed = text_at(header, "sandbox");
   need("--sandbox", sandbox.empty() || sandbox.back() == "auto" || sandboxed.empty() ||
@@ -149,8 +157,11 @@ std::vector<std::string> header_faults(const Json& header) {
   need("--cycle", values_of(argv, "--cycle") == texts_at(*selection, "cycles"));
   need("--clause", values_of(argv, "--clause") == texts_at(*selection, "clauses"));
   const Words dialects = values_of(argv, "--dialect");
-  const bool narrows = dialects.empty() && values_of(argv, "--subject").empty();
-  need("--dialect", narrows || dialects == texts_at(*selection, "dialects"));
+  const Words told = texts_at(*selection, "dialects");
+  // J-RUN-14: without the option they are those that the subject declares.
+  const bool narrows = dialects.empty() &&
+                       (values_of(argv, "--subject").empty() || told == declared_dialects(header));
+  need("--dialect", narrows || dialects == told);
   return faults;
 }
 
@@ -163,7 +174,8 @@ Roll::Roll(const Json& header)
   } else if (!machine_.members.empty()) {
     const Json* selection = header.find("selection");
     const Words dialects = selection == nullptr ? Words() : texts_at(*selection, "dialects");
-    if (dialects.size() != 1) throw Fault("The header does not say of which dialect its profile is.");
+    if (dialects.size() != 1)
+      throw Fault("The header does not say of which dialect its profile is.");
     machine_dialect_ = dialects.front();
   }
   const Json& subject = header.member("subject", Json::Kind::object);
@@ -219,8 +231,8 @@ std::string Roll::undeclared(const Vector& vector) const {
   for (const std::string& feature : vector.features) {
     if (has_feature(feature)) continue;
     const Words known = declared == nullptr ? Words() : declared->texts();
-    const bool has = declared != nullptr &&
-                     (known.empty() || std::ranges::find(known, feature) != known.end());
+    const bool has =
+        declared != nullptr && (known.empty() || std::ranges::find(known, feature) != known.end());
     if (!has) return feature;
   }
   return {};
@@ -240,11 +252,12 @@ void Roll::check_words(const Json& line, const Vector& vector) const {
     throw Fault("The program of the line is not that of the vector.");
   }
   const auto decision = decision_of(verdict);
-  const bool needs_program = decision == Decision::no_go || decision == Decision::undecided ||
-                             verdict == "advice";
+  const bool needs_program =
+      decision == Decision::no_go || decision == Decision::undecided || verdict == "advice";
   if (program == nullptr && needs_program) throw Fault("The line has no program.");
   const std::string want = text_at(line, "want");
-  if (!want.empty() && want == text_at(line, "got")) throw Fault("It departs, and got what it wanted.");
+  if (!want.empty() && want == text_at(line, "got"))
+    throw Fault("It departs, and got what it wanted.");
   const bool expects_gap = std::ranges::any_of(vector.expect, [](const Expectation& one) {
     return one.ending == Expectation::Ending::not_covered;
   });

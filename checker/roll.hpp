@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run must have, whatever the subject did: from its header and the corpus alone.
+// What a run must have: from its header and the corpus alone, not from what the subject did.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,9 @@ class Roll {
   // `header` must outlive it. Throws Fault.
   explicit Roll(const Json& header);
 
-  bool takes(const std::string& id, const Topic& topic) const { return selection_.takes(id, topic); }
+  bool takes(const std::string& id, const Topic& topic) const {
+    return selection_.takes(id, topic);
+  }
   // The profile of the vector with what the certifier's sets; nothing: they contradict each other,
   // and the run leaves the case out.
   std::optional<Json> profile_of(const std::string& dialect, const Json& profile) const;
@@ -40,9 +42,9 @@ class Roll {
   bool is_set(const Json& profile, const Json& key) const;
 
   Selection selection_;
-  const Json& machine_;            // keys of the certifier's profile
-  std::string machine_dialect_;    // empty: there is no such profile
-  const Json* sets_ = nullptr;     // the keys that it sets, to the default or not
+  const Json& machine_;          // keys of the certifier's profile
+  std::string machine_dialect_;  // empty: there is no such profile
+  const Json* sets_ = nullptr;   // the keys that it sets, to the default or not
   const Json* readings_ = nullptr;
   const Json* dialects_ = nullptr;  // the features declared of each; null: nothing is declared
   std::vector<std::string> features_;

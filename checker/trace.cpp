@@ -40,12 +40,12 @@ bool lists(const Json& subject, std::string_view feature) {
 
 }  // namespace
 
-Terms terms_of(const Json& header, std::string_view dialect, const Json& profile) {
+Tolerances terms_of(const Json& header, std::string_view dialect, const Json& profile) {
   const Json& subject = header.member("subject", Json::Kind::object);
   const Json none;
   const Json* found = subject.find("numeric");
   const Json& numeric = found == nullptr ? none : *found;
-  Terms terms;
+  Tolerances terms;
   Rational tolerance = resolution(dialect, profile);
   const Rational least = tolerance;  // increment of the machine: the most that a declaration counts
   terms.resolution = declared(numeric, "resolution");

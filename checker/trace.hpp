@@ -11,11 +11,11 @@
 namespace gonogo::checker {
 
 // Throws Fault.
-Terms terms_of(const Json& header, std::string_view dialect, const Json& profile);
+Tolerances terms_of(const Json& header, std::string_view dialect, const Json& profile);
 // <id>.jsonl: a record a line, an alarm last. Nothing when there is no such file; throws Fault.
 std::optional<Trace> read_trace_file(const std::string& path);
 // Reads a case line that is not GO: its records, which end nobody knows how, and the alarm where
-// the line tells it. Throws Fault.
+// the line says it. Throws Fault.
 Trace trace_of_line(const Json& line);
 
 }  // namespace gonogo::checker

@@ -191,7 +191,7 @@ bool is_unstated(const Json& line, const Vector& vector) {
   });
 }
 
-// The assignments of readings under which a GO is said to hold.
+// The combinations of readings under which a GO is said to hold.
 void Verdicts::check_explaining(const Json& line, const Vector& vector, const Derived& derived) {
   const Json* readings = line.find("readings");
   if (readings == nullptr) return;
@@ -241,7 +241,7 @@ void Verdicts::take_skip(const Json& line, const Vector& vector) {
 
 void Verdicts::take(const Json& line) {
   const std::string& id = line.text_of("id");
-  // What was drawn in the run lies in no corpus, and is told by its line alone.
+  // What was drawn in the run lies in no corpus; only its line describes it.
   if (!corpus_.has(id) && id.starts_with("fresh.")) return unproven("a fresh program");
   if (!corpus_.has(id)) throw Fault("The corpus has no such case.");
   const Vector vector = corpus_.read(id);

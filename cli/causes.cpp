@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "identify/attribution.hpp"
-#include "identify/shared_causes.hpp"
-#include "oracle/campaign/selection.hpp"
+#include "fuzz/identify/attribution.hpp"
+#include "fuzz/identify/shared_causes.hpp"
+#include "campaign/selection.hpp"
 #include "oracle/records/finding.hpp"
 
 namespace gonogo::cli {

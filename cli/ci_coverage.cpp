@@ -6,9 +6,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "hunt/finding_files.hpp"
-#include "hunt/reach.hpp"
-#include "oracle/corpus/corpus.hpp"
+#include "fuzz/hunt/finding_files.hpp"
+#include "fuzz/hunt/reach.hpp"
+#include "corpus/io/corpus.hpp"
 #include "oracle/records/output_file.hpp"
 
 namespace gonogo::cli {
@@ -34,9 +34,9 @@ void add_campaign_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach
       reach.add(hunt::ProgramSource::campaign, program, trial.run(program));
     }
     for (const auto& [signature, finding] : state.findings) {
-      const hunt::Exhibit exhibit =
-          hunt::read_exhibit(shard + "/findings/" + finding.id, state.dialect);
-      reach.add(hunt::ProgramSource::campaign, exhibit.program, trial.run_alone(exhibit));
+      const hunt::Reproducer reproducer =
+          hunt::read_reproducer(shard + "/findings/" + finding.id, state.dialect);
+      reach.add(hunt::ProgramSource::campaign, reproducer.program, trial.run_alone(reproducer));
     }
   }
 }

@@ -7,7 +7,7 @@
 #include "cli/hunt_causes.hpp"
 #include "cli/output.hpp"
 #include "cli/subject_files.hpp"
-#include "hunt/prune.hpp"
+#include "fuzz/hunt/prune.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "cli/certify_options.hpp"
 #include "cli/hunt_words.hpp"
-#include "hunt/campaign_state.hpp"
+#include "fuzz/hunt/campaign_state.hpp"
 
 namespace gonogo::cli {
 

@@ -11,14 +11,14 @@ CommandGroup use_commands() {
              "expand groove.nc --dialect hnc21t --format svg > groove.svg"}},
            {"explain",
             {"explain groove.nc --dialect hnc21t", "explain arc.nc --dialect rs274 --block 2"}},
-           {"spec", {"spec --dialect hnc21t", "spec --features"}}}};
+           {"spec", {"spec --dialect gsk988ta --about g94", "spec --features"}}}};
 }
 
 CommandGroup judging_commands() {
   return {"Judge a controller",
           {{"judge",
             {"judge arc.nc --dialect rs274 --trace trace.jsonl",
-             "judge arc.nc --dialect rs274 --subject \"pipe:python3 acme.py\""}},
+             "judge arc.nc --dialect rs274 --subject \"pipe:python3 acme.py\" --sheet arc.svg"}},
            {"certify",
             {"certify --subject lib:./acme.so --report acme",
              "certify --subject \"pipe:python3 acme.py\" --dialect rs274 --cycle arc"}},

@@ -7,21 +7,21 @@
 #include <filesystem>
 
 #include "cli/program_file.hpp"
-#include "oracle/corpus/carried.hpp"
+#include "corpus/io/embedded.hpp"
 
 namespace gonogo::cli {
 
 std::string corpus_folder(const std::string& given) {
   namespace fs = std::filesystem;
-  const bool carries = !oracle::carried_corpus().empty();
+  const bool carries = !oracle::embedded_corpus().empty();
   std::error_code ignored;
   if (!given.empty()) {
     if (fs::is_directory(given, ignored)) return given;
-    if (given == oracle::kCarriedFolder && carries) return given;
+    if (given == oracle::kEmbeddedFolder && carries) return given;
     throw UsageError(fmt::format("There is no folder {}. Name the folder of a corpus.", given));
   }
   if (const char* variable = std::getenv("GONOGO_CORPUS")) return corpus_folder(variable);
-  if (carries) return std::string(oracle::kCarriedFolder);
+  if (carries) return std::string(oracle::kEmbeddedFolder);
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   for (fs::path at = program.parent_path(); at.has_relative_path(); at = at.parent_path()) {
     for (const fs::path& folder : {at / "corpus", at / "share/gonogo/corpus"}) {

@@ -6,7 +6,7 @@
 namespace gonogo::cli {
 
 // The folder given, or where the checked-in corpus lies: GONOGO_CORPUS, in the program itself
-// (oracle::kCarriedFolder), beside the checkout that it was built in, or where it was installed.
+// (oracle::kEmbeddedFolder), beside the checkout that it was built in, or where it was installed.
 // Throws UsageError when there is none.
 std::string corpus_folder(const std::string& given);
 // The same; empty when none is named and none is there.

@@ -3,7 +3,7 @@
 
 namespace gonogo::cli {
 
-// What the program tells its caller.
+// What the exit code of the program means.
 enum ExitCode : int {
   kGo = 0,         // or: done
   kNoGo = 1,       // a NO-GO; expand: the program alarms

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "cli/svg_format.hpp"
-#include "oracle/manual/motion_text.hpp"
+#include "publish/manual/motion_text.hpp"
 #include "reference/outcome_text.hpp"
 
 namespace gonogo::cli {

@@ -11,8 +11,8 @@
 #include "cli/progress_line.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/version.hpp"
-#include "hunt/fresh_programs.hpp"
-#include "hunt/known_signatures.hpp"
+#include "fuzz/hunt/fresh_programs.hpp"
+#include "fuzz/hunt/known_signatures.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -2,8 +2,8 @@
 #include "cli/gauge.hpp"
 
 #include "cli/commit.hpp"
-#include "oracle/campaign/results_reader.hpp"
-#include "oracle/evidence/certificate_files.hpp"
+#include "campaign/results_reader.hpp"
+#include "publish/evidence/certificate_files.hpp"
 
 namespace gonogo::cli {
 

@@ -110,7 +110,7 @@ void HuntBoard::round_done(std::size_t job, const hunt::HuntCount& count) {
     mine.before += count;
     mine.round = {};
   }
-  // The folder tells what there is now.
+  // The folder says what there is now.
   const std::lock_guard lock(folder_mutex_);
   tell_campaign(words_.campaign, words_.trial);
 }
@@ -152,7 +152,7 @@ void HuntBoard::show() {
   lines_ = lines.size();
 }
 
-// The lines go, and what is told next stands in their place.
+// The lines go, and what is printed next stands in their place.
 void HuntBoard::clear() {
   if (lines_ == 0) return;
   draw("\033[{}A\033[J", lines_);

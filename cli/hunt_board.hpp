@@ -18,7 +18,7 @@ namespace gonogo::cli {
 // How a campaign goes: what this run of the program has done of it.
 struct HuntStanding {
   double seconds = 0;
-  std::optional<double> seconds_left;  // nothing: no limit that tells
+  std::optional<double> seconds_left;  // nothing: no limit of time
   hunt::HuntCount count;
   std::size_t rounds = 0;
   std::size_t jobs = 1;
@@ -51,7 +51,7 @@ class HuntBoard {
   bool failed() const { return failed_; }
   bool is_over() const { return failed_ || end_.reached(programs_, findings_); }
   std::size_t programs() const { return programs_; }
-  std::size_t findings() const { return findings_; }  // that were told
+  std::size_t findings() const { return findings_; }  // that were reported
 
  private:
   using Clock = std::chrono::steady_clock;

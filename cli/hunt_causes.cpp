@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "hunt/campaign_page.hpp"
-#include "hunt/finding_files.hpp"
-#include "identify/shared_causes.hpp"
+#include "fuzz/hunt/campaign_page.hpp"
+#include "fuzz/hunt/finding_files.hpp"
+#include "fuzz/identify/shared_causes.hpp"
 #include "oracle/records/finding.hpp"
 
 namespace gonogo::cli {
@@ -65,15 +65,15 @@ struct Asked {
   std::vector<ProgramAsked> programs;
 };
 
-Asked faces_to_ask(const std::string& folder, const hunt::HuntSummary& summary) {
+Asked symptoms_to_ask(const std::string& folder, const hunt::HuntSummary& summary) {
   Asked asked;
   for (const hunt::CampaignFinding& finding : summary.findings) {
-    for (const hunt::Face& face : finding.faces) {
-      if (!face.stands || !may_have_cause(face.signature)) continue;
+    for (const hunt::Symptom& symptom : finding.symptoms) {
+      if (!symptom.stands || !may_have_cause(symptom.signature)) continue;
       const generate::GeneratedProgram program =
-          hunt::read_exhibit(folder + "/" + face.folder, summary.dialect).program;
-      asked.signatures.push_back(face.signature);
-      asked.programs.push_back({face.folder, program.text, program.profile});
+          hunt::read_reproducer(folder + "/" + symptom.folder, summary.dialect).program;
+      asked.signatures.push_back(symptom.signature);
+      asked.programs.push_back({symptom.folder, program.text, program.profile});
     }
   }
   return asked;
@@ -98,13 +98,13 @@ std::vector<ProgramAsked> other_programs(const std::string& folder) {
 hunt::Causes ask_causes(const std::string& folder, const TrialWords& words,
                         const hunt::HuntSummary& summary) {
   hunt::Causes causes;
-  const Asked asked = faces_to_ask(folder, summary);
+  const Asked asked = symptoms_to_ask(folder, summary);
   if (asked.programs.empty()) return causes;
   const std::unique_ptr<oracle::Subject> subject = subject_to_ask(words);
   const identify::SharedCauses found =
       find_shared_causes(*subject, asked.programs, other_programs(folder), terms_of(words));
   for (const identify::SharedCause& cause : found.causes) {
-    for (const std::size_t face : cause.faces) causes[asked.signatures[face]] = cause.name;
+    for (const std::size_t symptom : cause.symptoms) causes[asked.signatures[symptom]] = cause.name;
   }
   return causes;
 }
@@ -113,8 +113,8 @@ hunt::Causes causes_of(const std::string& folder, const TrialWords& words,
                        const hunt::HuntSummary& summary) {
   hunt::KnownCauses known = hunt::read_known_causes(folder);
   const bool is_news = std::ranges::any_of(summary.findings, [&](const auto& finding) {
-    return std::ranges::any_of(finding.faces, [&](const hunt::Face& face) {
-      return !known.asked.contains(face.signature);
+    return std::ranges::any_of(finding.symptoms, [&](const hunt::Symptom& symptom) {
+      return !known.asked.contains(symptom.signature);
     });
   });
   if (!is_news) return known.causes;
@@ -122,9 +122,9 @@ hunt::Causes causes_of(const std::string& folder, const TrialWords& words,
     hunt::Causes causes = ask_causes(folder, words, summary);
     // What was mended is not asked again.
     for (const hunt::CampaignFinding& finding : summary.findings) {
-      for (const hunt::Face& face : finding.faces) {
-        const auto before = known.causes.find(face.signature);
-        if (!face.stands && before != known.causes.end()) causes.insert(*before);
+      for (const hunt::Symptom& symptom : finding.symptoms) {
+        const auto before = known.causes.find(symptom.signature);
+        if (!symptom.stands && before != known.causes.end()) causes.insert(*before);
       }
     }
     return causes;
@@ -157,12 +157,12 @@ std::string KnownMistakes::cause_of(const hunt::Finding& finding) try {
   if (names_.empty() || !may_have_cause(finding.signature)) return {};
   if (!subject_) subject_ = subject_to_ask(words_);
   subject_->renew();
-  const generate::GeneratedProgram& program = finding.exhibit.program;
+  const generate::GeneratedProgram& program = finding.reproducer.program;
   return identify::known_cause(*subject_, {"finding", program.text, program.profile}, names_,
                                terms_of(words_));
 } catch (const oracle::SubjectUnusable&) {
   subject_.reset();
-  return {};  // the finding is told as it is
+  return {};  // the finding is printed as it is
 }
 
 }  // namespace gonogo::cli

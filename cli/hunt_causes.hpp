@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the findings of a campaign come from, asked of the subject itself; and what its folder then
-// tells: campaign.json and index.html.
+// reports: campaign.json and index.html.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,14 @@
 #include <string>
 
 #include "cli/trial_options.hpp"
-#include "hunt/hunt_summary.hpp"
+#include "fuzz/hunt/hunt_summary.hpp"
 
 namespace gonogo::cli {
 
 // The findings of all shards by their causes, with both files written anew. The subject is only
-// asked where there are faces that it was not asked for yet; one that cannot be asked has findings
-// without causes. Throws std::runtime_error where a shard cannot be read, std::system_error.
+// asked where there are symptoms that it was not asked for yet; one that cannot be asked has
+// findings without causes. Throws std::runtime_error where a shard cannot be read,
+// std::system_error.
 hunt::HuntSummary tell_campaign(const std::string& folder, const TrialWords& words);
 
 // The mistakes that findings of a campaign that stand come from, held against a subject's later

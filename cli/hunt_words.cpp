@@ -10,7 +10,7 @@
 #include "cli/corpus_folder.hpp"
 #include "cli/output.hpp"
 #include "cli/subject_files.hpp"
-#include "hunt/known_signatures.hpp"
+#include "fuzz/hunt/known_signatures.hpp"
 #include "oracle/records/text.hpp"
 
 namespace gonogo::cli {

@@ -44,10 +44,10 @@ std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(
 // " --tolerance 0.01 --chord 0.1", of what was given.
 std::string tolerances_of(const LimitOptions& limits);
 
-// The hunt on the command line, but for when it is over.
+// The hunt on the command line, except when it is over.
 std::string command_of(const HuntWords& words);
 
-// The line that shows a finding in this folder again and makes it small.
+// The line that shows a finding in this folder again and reduces it.
 std::string reduce_command(const std::string& folder, const TrialWords& words);
 
 // A program below a finding, a line each, without what a terminal would obey.
@@ -88,7 +88,7 @@ void know_failures(const HuntWords& words, hunt::HuntOptions& options);
 struct HuntBefore {
   // Is given the hunt before it begins.
   std::function<void(hunt::Hunt&)> prepare;
-  // The known cause of a finding, which is then no news; empty: none.
+  // The known cause of a finding, which is then not reported; empty: none.
   std::function<std::string(const hunt::Finding&)> known_cause;
 };
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cli/verdict_text.hpp"
-#include "oracle/campaign/known_failures_update.hpp"
-#include "oracle/corpus/corpus.hpp"
+#include "campaign/known_failures_update.hpp"
+#include "corpus/io/corpus.hpp"
 
 namespace gonogo::cli {
 

@@ -8,7 +8,8 @@
 
 namespace gonogo::cli {
 
-// The known word that is nearest to the one written, in whatever letters; empty: none is near.
+// The known word that is nearest to the one written, in large or small letters; empty: none is
+// near.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 // "Did you mean taper-sign? "; nothing of nothing.
 std::string did_you_mean(const std::string& word);

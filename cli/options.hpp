@@ -8,9 +8,9 @@
 
 #include "cli/command_line.hpp"
 #include "cli/program_file.hpp"
-#include "generate/generator_settings.hpp"
-#include "oracle/judge/terms.hpp"
-#include "oracle/subject.hpp"
+#include "fuzz/generate/generator_settings.hpp"
+#include "oracle/motion/tolerances.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::cli {
 

@@ -13,10 +13,9 @@
 #include <cstdio>
 #include <cstring>
 #include <set>
-#include <system_error>
 
+#include "campaign/campaign.hpp"
 #include "grammar/file_source.hpp"
-#include "oracle/campaign/campaign.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -39,7 +38,7 @@ bool has_nobody_behind(int descriptor) {
   return ::poll(&waiting, 1, kWaitMs) == 0 && !has_writer(descriptor);
 }
 
-// A device that is no terminal does not end, but for the one of no bytes.
+// A device that is no terminal does not end, except the one of no bytes.
 bool is_endless(const struct stat& status, int descriptor) {
   struct stat null {};
   const bool is_null = ::stat("/dev/null", &null) == 0 && null.st_rdev == status.st_rdev;
@@ -80,19 +79,30 @@ ProgramFile::~ProgramFile() {
 }
 
 void ProgramFile::keep() {
+  constexpr std::size_t kMostCopied = std::size_t{1} << 30;
   if (size_ < 0) {
-    std::FILE* const kept = std::tmpfile();
-    if (kept == nullptr)
-      throw std::system_error(errno, std::generic_category(), "a temporary file");
-    std::array<char, 65'536> buffer;
-    while (const std::size_t count = bytes_->read(buffer.data(), buffer.size())) {
-      if (std::fwrite(buffer.data(), 1, count, kept) != count) {
-        throw std::system_error(errno, std::generic_category(), "a temporary file");
+    std::FILE* const copy = std::tmpfile();
+    bool copied = copy != nullptr;
+    std::array<char, 1 << 16> chunk;
+    std::size_t size = 0;
+    while (std::size_t count = copied ? bytes_->read(chunk.data(), chunk.size()) : 0) {
+      size += count;
+      if (size > kMostCopied) {
+        std::fclose(copy);
+        throw UsageError(fmt::format("{} does not end within {} bytes. Name a file instead.", name_,
+                                     kMostCopied));
       }
+      copied = std::fwrite(chunk.data(), 1, count, copy) == count;
     }
-    std::fflush(kept);
-    descriptor_ = ::dup(::fileno(kept));
-    std::fclose(kept);
+    copied = copied && std::fflush(copy) == 0;
+    if (copied) descriptor_ = ::dup(::fileno(copy));
+    const int fault = errno;
+    if (copy != nullptr) std::fclose(copy);
+    if (!copied || descriptor_ < 0) {
+      throw UsageError(
+          fmt::format("{} cannot be kept in a temporary file: {}. Name a file instead.", name_,
+                      std::strerror(fault)));
+    }
   }
   bytes_ = std::make_unique<grammar::FileSource>(descriptor_);
 }

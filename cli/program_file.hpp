@@ -41,7 +41,8 @@ class ProgramFile {
   // The size of a regular file; -1 for a pipe.
   long long size() const { return size_; }
   grammar::ByteSource& bytes() { return *bytes_; }
-  // A pipe is read to its end and kept in a file, so that the descriptor can be read again.
+  // What cannot be read twice, as a pipe, is copied into a temporary file first. Throws UsageError;
+  // what never ends does not fill the disk.
   void keep();
   int descriptor() const { return descriptor_; }
 
@@ -50,6 +51,19 @@ class ProgramFile {
   int descriptor_ = -1;
   long long size_ = -1;
   std::unique_ptr<grammar::ByteSource> bytes_;
+};
+
+// A file that is read several times over, in no more memory than a piece of it takes.
+class StoredFile {
+ public:
+  explicit StoredFile(const std::string& path, const char* kind = kNcProgram) : file_(path, kind) {
+    file_.keep();
+  }
+  // For grammar::FileSource.
+  int descriptor() const { return file_.descriptor(); }
+
+ private:
+  ProgramFile file_;
 };
 
 // The whole file, at most `limit` bytes.

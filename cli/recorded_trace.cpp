@@ -22,7 +22,7 @@ oracle::RunEnd fault(std::string message) {
   return oracle::RunEnd::of(oracle::RunEnd::Kind::protocol, std::move(message));
 }
 
-// The records of a trace, but for lines that `knows` says true of, until `take` says false, and how
+// The records of a trace, except lines that `knows` says true of, until `take` says false, and how
 // it ends.
 template <typename Knows, typename Take>
 oracle::RunEnd read_records(int descriptor, const Knows& knows, const Take& take) {

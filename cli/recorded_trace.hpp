@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/stored_file.hpp"
+#include "cli/program_file.hpp"
 #include "oracle/judge/judge_session.hpp"
 
 namespace gonogo::cli {
@@ -28,7 +28,8 @@ struct TraceSummary {
 class RecordedTrace : public oracle::RecordSeries {
  public:
   // "-" is standard input. Throws UsageError.
-  explicit RecordedTrace(const std::string& path) : file_(path) {}
+  explicit RecordedTrace(const std::string& path)
+      : file_(path, "a trace, a record a line, or - for standard input") {}
 
   // What a look at its bytes says; a guess.
   TraceFeatures likely_features() const;

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "oracle/campaign/results_writer.hpp"
+#include "campaign/results_writer.hpp"
 
 namespace gonogo::cli {
 

@@ -13,9 +13,9 @@
 #include "cli/program_file.hpp"
 #include "cli/run.hpp"
 #include "cli/version.hpp"
-#include "oracle/campaign/results_lock.hpp"
-#include "oracle/corpus/corpus.hpp"
-#include "oracle/subject.hpp"
+#include "campaign/results_lock.hpp"
+#include "corpus/io/corpus.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::cli {
 

@@ -14,11 +14,11 @@
 #include "cli/sandbox_options.hpp"
 #include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
-#include "oracle/campaign/results_reader.hpp"
-#include "oracle/campaign/results_writer.hpp"
-#include "oracle/campaign/selection.hpp"
-#include "oracle/evidence/statement.hpp"
-#include "oracle/report/json_value.hpp"
+#include "campaign/results_reader.hpp"
+#include "campaign/results_writer.hpp"
+#include "campaign/selection.hpp"
+#include "publish/evidence/statement.hpp"
+#include "publish/report/json_value.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/evidence/verify.hpp"
+#include "publish/evidence/verify.hpp"
 
 namespace gonogo::cli {
 

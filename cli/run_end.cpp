@@ -7,9 +7,9 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
-#include "oracle/evidence/certificate_files.hpp"
-#include "oracle/evidence/evidence.hpp"
-#include "oracle/evidence/statement.hpp"
+#include "publish/evidence/certificate_files.hpp"
+#include "publish/evidence/evidence.hpp"
+#include "publish/evidence/statement.hpp"
 
 namespace gonogo::cli {
 namespace {

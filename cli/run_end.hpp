@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The end of a run that has been judged: what is told of it, and what is written.
+// The end of a run that has been judged: what is printed, and what is written.
 #pragma once
 
 #include <string>
 
-#include "oracle/corpus/corpus.hpp"
-#include "oracle/evidence/certificate.hpp"
+#include "corpus/io/corpus.hpp"
+#include "publish/evidence/certificate.hpp"
 
 namespace gonogo::cli {
 
@@ -23,7 +23,7 @@ struct FinishedRun {
 // Tells the summary and writes report and certificate, of the results that were judged and no
 // others. Throws what keeps one of them from being
 // written, but does the others before: neither does a report that cannot be written keep the
-// summary from being told, nor a closed pipe the report from being written, nor either a NO-GO from
+// summary from being printed, nor a closed pipe the report from being written, nor either a NO-GO from
 // the caller: then it is said only.
 void tell_run(const FinishedRun& run);
 

@@ -5,8 +5,8 @@
 
 #include <cstdlib>
 
-#include "oracle/campaign/results_reader.hpp"
-#include "oracle/report/command.hpp"
+#include "campaign/results_reader.hpp"
+#include "publish/report/command.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "oracle/subjects/sandbox.hpp"
+#include "subjects/sandbox.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/campaign/known_failures.hpp"
+#include "campaign/known_failures.hpp"
 
 namespace gonogo::cli {
 

@@ -8,8 +8,8 @@
 #include "cli/nearest_word.hpp"
 #include "cli/program_file.hpp"
 #include "expanders/registry.hpp"
-#include "oracle/capture/capture_subject.hpp"
-#include "oracle/subjects/library_subject.hpp"
+#include "capture/capture_subject.hpp"
+#include "subjects/library_subject.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/campaign/campaign.hpp"
+#include "campaign/campaign.hpp"
 
 namespace gonogo::cli {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/report/sheet.hpp"
+#include "publish/report/sheet.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -88,7 +88,7 @@ std::optional<std::vector<reference::Record>> motions_of_reference(
 
 // The coordinates of one motion: of its end, and of its centre.
 void take(oracle::RoundingCensus& census, const reference::Record& want,
-          const reference::Record& got, const oracle::JudgeTerms& terms) {
+          const reference::Record& got, const oracle::Tolerances& terms) {
   const auto compare = [&](const Number& exact, const Number& number) {
     census.take(exact, number, oracle::is_correctly_rounded(number, exact, terms));
   };
@@ -102,7 +102,7 @@ void take(oracle::RoundingCensus& census, const reference::Record& want,
 }  // namespace
 
 std::string rounding_text(const reference::Profile& profile, const StoredFile& program,
-                          RecordedTrace& trace, const oracle::JudgeTerms& terms) {
+                          RecordedTrace& trace, const oracle::Tolerances& terms) {
   const auto want = motions_of_reference(profile, program);
   if (!want) return "coordinates: not told, for a part of the path is open.\n";
   oracle::RoundingCensus census;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/recorded_trace.hpp"
-#include "oracle/judge/terms.hpp"
+#include "oracle/motion/tolerances.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::cli {
@@ -20,6 +20,6 @@ std::string times_text(const reference::Profile& profile, const StoredFile& prog
 // How the coordinates of an outcome that is not GO are rounded, as far as its motions are those of
 // the reference one by one.
 std::string rounding_text(const reference::Profile& profile, const StoredFile& program,
-                          RecordedTrace& trace, const oracle::JudgeTerms& terms);
+                          RecordedTrace& trace, const oracle::Tolerances& terms);
 
 }  // namespace gonogo::cli

@@ -12,7 +12,7 @@
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
-#include "hunt/finding_files.hpp"
+#include "fuzz/hunt/finding_files.hpp"
 
 namespace gonogo::cli {
 
@@ -72,16 +72,16 @@ std::string keep_finding(const TrialWords& words, std::uint64_t seed, hunt::Tria
                          const hunt::Finding& finding) {
   if (words.out.empty()) return {};
   const hunt::Provenance provenance{fmt::format("gonogo {}", kVersion), words.subject, seed};
-  return hunt::write_finding(words.out, finding, trial.examine(finding.exhibit), trial.info(),
+  return hunt::write_finding(words.out, finding, trial.examine(finding.reproducer), trial.info(),
                              provenance);
 }
 
 std::string finding_text(const hunt::Finding& finding, std::string next) {
   std::string text = verdict_head(finding.verdict);
-  for (const generate::GeneratedProgram& program : finding.exhibit.before) {
+  for (const generate::GeneratedProgram& program : finding.reproducer.before) {
     text += oracle::marked_program(program.text, 0) + "  before:\n";
   }
-  const generate::GeneratedProgram& program = finding.exhibit.program;
+  const generate::GeneratedProgram& program = finding.reproducer.program;
   oracle::FindingFacts facts = oracle::finding_facts(finding.verdict);
   facts.profile = reference::profile_json(program.profile);
   facts.blocks = oracle::marked_program(program.text, finding.verdict.block);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "hunt/hunt.hpp"
+#include "fuzz/hunt/hunt.hpp"
 
 namespace gonogo::cli {
 

@@ -10,7 +10,7 @@
 #include "cli/colour.hpp"
 #include "oracle/records/cycle_table.hpp"
 #include "oracle/records/finding_text.hpp"
-#include "oracle/report/clauses.hpp"
+#include "publish/report/clauses.hpp"
 
 namespace gonogo::cli {
 
@@ -152,11 +152,13 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
   std::string text;
   std::string cause;
   std::size_t shown = 0;
+  std::size_t explained = 0;
   for (const oracle::Finding* finding : summary.findings.list()) {
     if (!finding->cause.empty() && finding->cause.name != cause) {
       text += in_tone(finding->cause.text(), Tone::unsure, colour) + "\n";
     }
     cause = finding->cause.name;
+    if (!finding->cause.empty()) ++explained;
     if (++shown > kShownFindings) {
       text += finding_head(*finding) + "\n";
       continue;
@@ -167,8 +169,10 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
   }
   if (shown > kShownFindings) text += "\n";
   if (summary.causes_asked > 0) {
-    text += fmt::format("A cause was looked for of {} of {} (--causes).\n\n", summary.causes_asked,
-                        oracle::counted(shown, "finding", "findings"));
+    text += fmt::format(
+        "A cause was looked for in {} of {} (--causes), and {}.\n\n", summary.causes_asked,
+        oracle::counted(shown, "finding", "findings"),
+        explained == 0 ? "none was found" : fmt::format("explains {} of them", explained));
   }
   return text;
 }

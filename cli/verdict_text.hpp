@@ -5,8 +5,8 @@
 #include <string>
 
 #include "cli/exit_code.hpp"
-#include "oracle/campaign/results.hpp"
-#include "oracle/evidence/case_row.hpp"
+#include "campaign/results.hpp"
+#include "publish/evidence/case_row.hpp"
 #include "oracle/records/finding.hpp"
 #include "oracle/records/verdict.hpp"
 #include "oracle/relation/definition.hpp"
@@ -15,7 +15,7 @@ namespace gonogo::cli {
 
 // "NO-GO: fail.geometry" as a line.
 std::string verdict_head(const oracle::Verdict& verdict);
-// The same with what is told of it below; `facts` are those of the verdict and of its program.
+// The same with the details below it; `facts` are those of the verdict and of its program.
 std::string verdict_text(const oracle::Verdict& verdict, oracle::FindingFacts facts);
 // The same of what the definition says.
 std::string answer_text(const relation::Answer& answer);

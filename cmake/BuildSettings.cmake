@@ -65,8 +65,8 @@ function(gonogo_instrument_for_fuzzing name folder)
   endif()
 endfunction()
 
-# gonogo_folder(NAME SOURCES...): the static library of one folder of the house. Those of grammar,
-# reference and oracle are what `gonogo::oracle` of the installed package consists of.
+# gonogo_folder(NAME SOURCES...): the static library of one folder of the house. Those of grammar
+# and reference up to what is published are what `gonogo::oracle` of the installed package consists of.
 function(gonogo_folder name)
   add_library(gonogo_${name} STATIC ${ARGN})
   add_library(gonogo::${name} ALIAS gonogo_${name})
@@ -75,7 +75,7 @@ function(gonogo_folder name)
     $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:include/gonogo-oracle>)
   file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   gonogo_instrument_for_fuzzing(${name} ${folder})
-  if(folder MATCHES "^(grammar|reference|oracle)(/|$)")
+  if(folder MATCHES "^(grammar|reference|oracle|subjects|campaign|capture|publish|corpus/io)(/|$)")
     set_property(GLOBAL APPEND PROPERTY GONOGO_ORACLE_FOLDERS ${name})
   endif()
 endfunction()

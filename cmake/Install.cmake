@@ -15,6 +15,7 @@ install(PROGRAMS helpers/gonogo_replay.py helpers/gonogo_replay.mjs
   DESTINATION share/gonogo/helpers COMPONENT gonogo)
 install(FILES helpers/README.md helpers/gonogo_pipe.py helpers/gonogo_pipe.mjs
   DESTINATION share/gonogo/helpers COMPONENT gonogo)
+install(DIRECTORY fuzz/cluster DESTINATION share/gonogo COMPONENT gonogo USE_SOURCE_PERMISSIONS)
 install(DIRECTORY helpers/adapters DESTINATION share/gonogo/helpers COMPONENT gonogo
   PATTERN node_modules EXCLUDE PATTERN __pycache__ EXCLUDE)
 
@@ -27,7 +28,7 @@ install(DIRECTORY docs DESTINATION share/doc/gonogo COMPONENT gonogo PATTERN nod
 install(DIRECTORY examples DESTINATION share/doc/gonogo COMPONENT gonogo
   USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)
 
-# The oracle: every static library of grammar, reference and oracle under its own name, and
+# The oracle: every static library from grammar to what is published under its own name, and
 # gonogo::oracle for all of them.
 get_property(folders GLOBAL PROPERTY GONOGO_ORACLE_FOLDERS)
 list(TRANSFORM folders PREPEND gonogo_ OUTPUT_VARIABLE libraries)
@@ -43,8 +44,10 @@ set_target_properties(gonogo_oracle PROPERTIES EXPORT_NAME oracle)
 install(TARGETS gonogo_oracle ${libraries}
   gonogo_external_gmp gonogo_external_gmpxx gonogo_external_mpfr gonogo_external_nettle gonogo_external_z
   EXPORT gonogo-oracle ARCHIVE DESTINATION lib/gonogo COMPONENT oracle)
-install(DIRECTORY grammar reference oracle DESTINATION include/gonogo-oracle COMPONENT oracle
+install(DIRECTORY grammar reference oracle subjects campaign capture publish
+  DESTINATION include/gonogo-oracle COMPONENT oracle
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.def" PATTERN x3 EXCLUDE PATTERN assets EXCLUDE)
+install(DIRECTORY corpus/io DESTINATION include/gonogo-oracle/corpus COMPONENT oracle FILES_MATCHING PATTERN "*.hpp")
 
 # find_package(gonogo)
 configure_package_config_file(cmake/package/gonogo-config.cmake.in

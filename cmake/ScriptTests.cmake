@@ -17,6 +17,6 @@ function(gonogo_add_script_test)
     ENVIRONMENT "${ARG_ENVIRONMENT}" SKIP_REGULAR_EXPRESSION "(^|\n)SKIPPED: ")
 endfunction()
 
-# LinuxCNC's and FreeCAD's modules belong to the system's Python, whatever else is in the PATH.
+# LinuxCNC's and FreeCAD's modules belong to the system's Python, not to another one in the PATH.
 find_program(GONOGO_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(GONOGO_NODE NAMES node nodejs)

@@ -33,7 +33,7 @@ consteval Fault find_fault(std::span<const FaultDescription> table, std::string_
 /// How often runs of this process have met a planted fault.
 struct FaultCount {
   std::uint64_t reached = 0;               ///< its line ran
-  std::optional<std::uint64_t> triggered;  ///< and answered wrongly; nothing: not told
+  std::optional<std::uint64_t> triggered;  ///< and answered wrongly; nothing: not given
 };
 
 }  // namespace gonogo::expanders

@@ -6,7 +6,7 @@
 //   gonogo_soak --input FILE [--subject SUBJECT] [--dialect D] [--settings LIST]
 // SUBJECT is a built-in expander (NAME, NAME+FAULT), or lib:, pipe: and oneshot: as on the command
 // line, which gets of each program what it declares and runs; a library runs in this process.
-// LIST is as generate/generator_settings.hpp says: raw=1,near-invalid=0,blocks=4. --distribution
+// LIST is as fuzz/generate/generator_settings.hpp says: raw=1,near-invalid=0,blocks=4. --distribution
 // prints what the programs hold and reach: kinds, machines, records, planes, clauses, alarms,
 // verdicts, and what lies outside of the domain (docs/domain.md); a departure there is counted, and
 // no failure. An expander of several dialects gets programs of the first one where none is named.
@@ -27,7 +27,7 @@
 #include <vector>
 
 #include "fuzz/tried_subject.hpp"
-#include "generate/program_report.hpp"
+#include "fuzz/generate/program_report.hpp"
 #include "oracle/differential/differential.hpp"
 #include "oracle/differential/domain.hpp"
 

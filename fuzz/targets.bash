@@ -10,18 +10,21 @@ target_names() { cut -d ' ' -f 1 "$1/fuzz/targets.txt"; }
 
 # target_dialect TARGET BUILD: the dialect of NC text ("any": of all of them); nothing where the input
 # is no text.
-target_dialect() { sed -n "s/^$1 \([^ ]*\) .*/\1/p" "$2/fuzz/targets.txt"; }
+target_dialect() { sed -n "s/^$1 \([^ -]*\) .*/\1/p" "$2/fuzz/targets.txt"; }
 
 # Where an input is a generator's decisions, so many bytes at most: some five blocks. Long programs are
 # the soak's; here many short ones find more in the same time.
 most_decisions=128
 
+# reads_decisions TARGET BUILD: whether its input is decisions.
+reads_decisions() { grep -qx "$1" "$2/fuzz/targets.txt"; }
+
 # target_most_bytes TARGET BUILD: of its inputs.
 target_most_bytes() {
-  if [ -n "$(target_dialect "$1" "$2")" ]; then
-    sed -n "s/^$1 [^ ]* //p" "$2/fuzz/targets.txt"
-  else
+  if reads_decisions "$1" "$2"; then
     echo "$most_decisions"
+  else
+    sed -n "s/^$1 [^ ]* //p" "$2/fuzz/targets.txt"
   fi
 }
 
@@ -35,11 +38,12 @@ write_dictionary() { GONOGO_FUZZ_DICTIONARY=1 "$2/fuzz/$1" >"$3"; }
 engine_options() {
   local dialect
   printf '%s\n' "-max_len=$(target_most_bytes "$1" "$2")"
-  dialect=$(target_dialect "$1" "$2")
-  if [ -z "$dialect" ]; then
+  if reads_decisions "$1" "$2"; then
     printf '%s\n' -len_control=0 -entropic=0
     return
   fi
+  dialect=$(target_dialect "$1" "$2")
+  [ -n "$dialect" ] || return 0
   mkdir -p "$3"
   write_dictionary "$1" "$2" "$3/$1.dict"
   printf '%s\n' "-dict=$3/$1.dict"

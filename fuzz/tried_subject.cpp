@@ -5,7 +5,7 @@
 
 #include "expanders/registry.hpp"
 #include "oracle/differential/differential.hpp"
-#include "oracle/subjects/library_file.hpp"
+#include "subjects/library_file.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::fuzz {
@@ -74,7 +74,7 @@ TriedSubject::TriedSubject(const std::string& text, const std::string& dialect,
   }
   const oracle::SubjectInfo& info = subject_->info();
   generator_ = generator_for(info, dialect);
-  repertoire_.emplace(info, std::string(generator_->dialect));
+  supported_.emplace(info, std::string(generator_->dialect));
   learn(before_run);
 }
 
@@ -85,7 +85,7 @@ void TriedSubject::learn(const BeforeRun& before_run) {
   std::size_t runs = 0;
   for (std::uint64_t seed = 1; seed <= kMostDrawn && runs < kRuns; ++seed) {
     generate::Choices choices(seed);
-    const auto program = repertoire_->fitted(generator_->generate(choices, nullptr));
+    const auto program = supported_->fitted(generator_->generate(choices, nullptr));
     if (!program) continue;
     ++runs;
     if (before_run) before_run(*program);
@@ -93,15 +93,15 @@ void TriedSubject::learn(const BeforeRun& before_run) {
         oracle::run_alone(*subject_, program->profile, program->text, kMostRecords).kind;
     const bool is_skipped =
         ended == oracle::RunEnd::Kind::skip || ended == oracle::RunEnd::Kind::refused;
-    is_skipped ? repertoire_->skipped(*program) : repertoire_->ran(*program);
+    is_skipped ? supported_->skipped(*program) : supported_->ran(*program);
   }
-  repertoire_->settle();
+  supported_->stop_trying();
 }
 
 std::optional<generate::GeneratedProgram> TriedSubject::fitted(
     generate::GeneratedProgram program) const {
-  if (!repertoire_) return program;
-  return repertoire_->fitted(program);
+  if (!supported_) return program;
+  return supported_->fitted(program);
 }
 
 }  // namespace gonogo::fuzz

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "generate/generator.hpp"
-#include "hunt/repertoire.hpp"
-#include "oracle/subject.hpp"
+#include "fuzz/generate/generator.hpp"
+#include "fuzz/hunt/supported_features.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::fuzz {
 
@@ -22,12 +22,12 @@ std::unique_ptr<oracle::Subject> make_subject_here(const std::string& spec,
 
 // A built-in expander, or somebody's subject in its place, which gets programs of what it declares
 // and runs. What it runs is learned when it is made, from programs of fixed seeds: afterwards a
-// program is the same whatever was tried before.
+// program is the same, independent of what was tried before.
 class TriedSubject {
  public:
   using BeforeRun = std::function<void(const generate::GeneratedProgram&)>;
   // `spec` as of make_subject_here(). `dialect`: empty for the first of a built-in expander, and
-  // for the only one that the subject names. `before_run` is told each program that it learns from.
+  // for the only one that the subject names. `before_run` gets each program that it learns from.
   TriedSubject(const std::string& spec, const std::string& dialect,
                const BeforeRun& before_run = nullptr);
 
@@ -41,7 +41,7 @@ class TriedSubject {
 
   std::unique_ptr<oracle::Subject> subject_;
   const generate::Generator* generator_ = nullptr;
-  std::optional<hunt::Repertoire> repertoire_;  // nothing: of a built-in expander
+  std::optional<hunt::SupportedFeatures> supported_;  // nothing: of a built-in expander
 };
 
 }  // namespace gonogo::fuzz

@@ -165,7 +165,7 @@ struct NamedWord {
   }
 };
 
-// The bytes of a comment, whatever their encoding, without its delimiters.
+// The bytes of a comment in any encoding, without its delimiters.
 struct Comment {
   std::string text;
   bool to_end_of_line = false;  // began with ';' rather than '('
@@ -176,7 +176,7 @@ struct Comment {
 };
 
 // Something that the maker's language has and the gauge does not read: a variable, an expression, a
-// jump. The block is well formed as far as can be told; its meaning is not covered.
+// jump. The block is well formed as far as it is read; its meaning is not covered.
 struct OutsideConstruct {
   // Stable: "variable", "expression", "control-statement", "file-name", "o-word", "string",
   // "comma-word", "RL=", "RC=".

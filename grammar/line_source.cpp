@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kChunk = std::size_t{1} << 16;
 // Most programs of a campaign fit into this.
 constexpr std::size_t kFirstChunk = std::size_t{1} << 11;
+// Bytes of a line that is too long; the source of more has no end.
+constexpr std::size_t kMostDropped = std::size_t{1} << 28;
 
 // The first byte of [first, last) that ends a line, or `last`. Looked for in short stretches, so
 // that lines that end in CR do not make a search for LF run on.
@@ -95,16 +97,21 @@ std::size_t LineSource::find_end(std::size_t from) const {
   return static_cast<std::size_t>(found - buffer_.data());
 }
 
-// Drops what is left of a line that was too long, one chunk after the other.
+// Drops what is left of a line that was too long, one chunk after the other. The text ends with a
+// line that does not.
 void LineSource::drop_line() {
-  for (;;) {
-    begin_ = find_end(begin_);
+  for (std::size_t dropped = 0; dropped < kMostDropped;) {
+    const std::size_t end = find_end(begin_);
+    dropped += end - begin_;
+    begin_ = end;
     if (begin_ != end_) {
       skip_line_feed_ = buffer_[begin_++] == '\r';
       return;
     }
     if (!fill()) return;
   }
+  begin_ = end_;
+  at_end_ = true;
 }
 
 // Whether the line, of so many bytes, ends in one. Looks at the byte behind it.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Programs as a stream of lines. Memory is one chunk and one line of at most kMaximumLine bytes,
-// whatever the length of the program.
+// for a program of any length.
 #pragma once
 
 #include <cstddef>

@@ -38,7 +38,7 @@
  * @property {(program: Buffer, emit: Function) => (object|undefined)} run
  *   calls emit(kind, fields) for each record, in order; returns nothing when the program ran to its
  *   end, else what alarm(), skip() or error() made. configure, run and reset may be async.
- * @property {() => void} [reset]  forgets whatever earlier programs left behind
+ * @property {() => void} [reset]  forgets all that earlier programs left behind
  */
 
 const kProtocol = 1;

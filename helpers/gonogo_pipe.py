@@ -72,7 +72,7 @@ class Subject:
         raise NotImplementedError
 
     def reset(self):
-        """Forgets whatever earlier programs left behind."""
+        """Forgets all that earlier programs left behind."""
 
 
 def alarm(native, cls=None, b=None, word=None):
@@ -96,7 +96,7 @@ def error(message):
 
 
 def number_text(value):
-    """`value` as the protocol writes numbers: exactly, whatever its type. A str is passed on."""
+    """`value` as the protocol writes numbers: exactly, for any type. A str is passed on."""
     if isinstance(value, str):
         return value
     if isinstance(value, bool):

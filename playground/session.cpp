@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <variant>
 
-#include "oracle/judge/different_assignments.hpp"
-#include "oracle/manual/motion_text.hpp"
-#include "oracle/report/limits.hpp"
-#include "oracle/report/page_paths.hpp"
+#include "oracle/steps/different_assignments.hpp"
+#include "publish/manual/motion_text.hpp"
+#include "publish/report/limits.hpp"
+#include "publish/report/page_paths.hpp"
 #include "reference/dialect.hpp"
 #include "reference/outcome_text.hpp"
 
@@ -51,8 +51,8 @@ reference::Profile profile_of(const Json& head) {
   }
   auto profile = std::get<reference::Profile>(std::move(result));
   if (profile.dialect != dialect) {
-    throw WrongUse(fmt::format("The profile is one of dialect {}, not of {}.", profile.dialect,
-                               dialect));
+    throw WrongUse(
+        fmt::format("The profile is one of dialect {}, not of {}.", profile.dialect, dialect));
   }
   for (const Json& choice : head.value("readings", Json::array())) {
     const auto written = choice.get<std::string>();
@@ -189,8 +189,8 @@ class Run {
   Json readings() const {
     Json list = Json::array();
     for (const reference::ReadingKey key : expander_.readings().touched()) {
-      list.push_back({{"name", reference::reading(key).name},
-                      {"value", request_.profile.readings.get(key)}});
+      list.push_back(
+          {{"name", reference::reading(key).name}, {"value", request_.profile.readings.get(key)}});
     }
     return list;
   }
@@ -219,7 +219,8 @@ class Run {
 };
 
 std::string refusal(const std::string& reason) {
-  return Json{{"exit", kWrongUse}, {"messages", reason + "\n"}, {"readings", Json::array()}}.dump() +
+  return Json{{"exit", kWrongUse}, {"messages", reason + "\n"}, {"readings", Json::array()}}
+             .dump() +
          '\n';
 }
 
@@ -242,7 +243,8 @@ Json readings_of(const reference::Dialect& dialect) {
     list.push_back({{"name", reading.name},
                     {"text", reading.text},
                     {"clause", reference::clause_name(reading.clause)},
-                    {"alternatives", reading.alternatives},
+                    {"alternatives", std::vector<std::string_view>(reading.alternatives.begin(),
+                                                                   reading.alternatives.end())},
                     {"default", reading.fallback},
                     {"length", reading.is_length}});
   }

@@ -14,7 +14,7 @@ namespace gonogo::playground {
 // after which it is broken off; none: never}.
 // The answer: {"exit": that of `gonogo expand`, "messages": what it says on standard error, "readings":
 // those that the program asked for, with the value in force, "stopped": whether it was broken off}; drawn, "lathe", "steps": [{"b", "text",
-// "clause"}] a record each, "moves" and "limits" as oracle/report/page_paths.hpp has them, "cut": whether
+// "clause"}] a record each, "moves" and "limits" as publish/report/page_paths.hpp has them, "cut": whether
 // there is more than is drawn. A request that cannot be carried out has exit 2, its reason as messages and
 // no records.
 std::string answer(std::string_view request);

@@ -36,7 +36,7 @@ struct BlockBase {
   void missing(ClauseId clause, WordName address);
   // An alarm when no feed is in force.
   void need_feed(ClauseId clause);
-  // Whether only rotary axes have a way to go.
+  // Whether only rotary axes move.
   bool turns_alone(const Position& to) const;
   // The program ends here for the gauge: `address` has a value that is not read.
   void not_covered(int code, char address, std::string message);
@@ -54,7 +54,7 @@ struct BlockBase {
   // A to D of a cutting cycle, where it is put out: A is where the machine stands, C the end point,
   // B lies the taper beyond it on the positioning axis and level with A on the other, D behind C.
   void name_corners(Axis positioning, Axis cutting, const Number& taper, const Position& c) const;
-  // The position gets a new name; nothing moves.
+  // The position gets new coordinates; nothing moves.
   void rename(const Position& to);
 };
 
@@ -75,12 +75,12 @@ class ProgramHead {
   bool has_number_ = false;
 };
 
-// What of the machine the program needs and the profile does not say: `what` it is, as the subject
-// of a sentence, and the `line` of TOML that says it.
+// What the program needs of the machine and the profile does not state: `what` is the subject of
+// a sentence, `line` the line of TOML that states it.
 NotCovered lacking_in_profile(std::string_view what, std::string line, const grammar::Span& where,
                               std::uint64_t block);
 
-// A word that the block's code does not use and no rule passes over; a control may give it a
+// A word that the block's code does not use and no rule ignores; a control may give it a
 // meaning. `code` as it is quoted: G01.
 NotCovered word_outside(const grammar::Word& word, std::string_view code, std::uint64_t line);
 

@@ -25,12 +25,13 @@
 namespace gonogo::reference {
 namespace catalog {
 
-// The catalogs of the dialects, one after the other.
-template <typename... Catalog>
-consteval auto joined(const Catalog&... catalogs) {
-  std::array<Clause, (0 + ... + std::tuple_size_v<Catalog>)> all{};
-  auto place = all.begin();
-  ((place = std::copy(catalogs.begin(), catalogs.end(), place)), ...);
+// The tables of the dialects, one after the other.
+template <typename First, typename... More>
+consteval auto joined(const First& first, const More&... more) {
+  std::array<typename First::value_type, (std::tuple_size_v<First> + ... + std::tuple_size_v<More>)>
+      all{};
+  auto place = std::copy(first.begin(), first.end(), all.begin());
+  ((place = std::copy(more.begin(), more.end(), place)), ...);
   return all;
 }
 
@@ -49,8 +50,9 @@ consteval Catalog resting(Catalog all) {
 
 inline constexpr auto kAll =
     resting(joined(kGsk988ta, silent::kGsk988ta, hnc21t::kClauses, silent::kHnc21t, rs274::kClauses,
-                   rs274::kCycleClauses, rs274::kThreadClauses, rs274::kOffsetClauses, rs274::kCalculationClauses, sinumerik::kPathClauses,
-                   silent::kSinumerikPath, sinumerik::kCycleClauses, silent::kSinumerikCycles));
+                   rs274::kCycleClauses, rs274::kThreadClauses, rs274::kOffsetClauses,
+                   rs274::kCalculationClauses, sinumerik::kPathClauses, silent::kSinumerikPath,
+                   sinumerik::kCycleClauses, silent::kSinumerikCycles));
 
 }  // namespace catalog
 

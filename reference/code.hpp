@@ -52,7 +52,7 @@ enum class Group : std::uint8_t {
 };
 inline constexpr std::size_t kGroups = 31;
 
-// What the gauge makes of a code: `outside` are those that the control has and it does not read.
+// How the gauge treats a code: `outside` are codes of the control that it does not read.
 enum class Treatment : std::uint8_t { read, without_effect, outside };
 
 // What a code that is read does.
@@ -140,7 +140,7 @@ struct UseFeature {
   std::string_view feature;
 };
 
-// Words that a code passes over by a rule, but for those that it takes.
+// Words that a code ignores by a rule, except those that it takes.
 struct PassedOver {
   std::string_view when;   // "with R"; empty: always
   std::string_view words;  // "K R E"
@@ -211,7 +211,7 @@ struct Code {
   // 10 times the number of a G code or an M function: G7.1 is 71, M30 is 300; -1: a name.
   int tenths = -1;
   Letters letters = 0;         // of the words
-  Letters passed_letters = 0;  // of the words that are always passed over
+  Letters passed_letters = 0;  // of the words that are always ignored
 
   bool is_g() const { return tenths >= 0 && name.front() == 'G'; }
   bool is_m() const { return tenths >= 0 && name.front() == 'M'; }

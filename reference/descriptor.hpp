@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A dialect as one table: its codes, and the words that each takes. The interpreter reads codes by
-// it; what a subject may declare, and what tools know of codes and words, is taken from it.
+// it. What a subject may declare, and what tools know of codes and words, comes from it too.
 #pragma once
 
 #include <span>
@@ -37,7 +37,7 @@ struct Descriptor {
   const Code* find(Kind kind) const;
 };
 
-// The other code of its pair, which turns the other way; null: it turns no way.
+// The other code of its pair, which turns the other way; null: it does not turn.
 const Code* opposite_of(const Descriptor& descriptor, const Code& code);
 
 // Whether the address is one that the word stands for: R105 is one of R<n>.
@@ -58,7 +58,7 @@ std::vector<std::string> codes_without_effect(const Descriptor& descriptor);
 // What a code is programmed with: "X Z end point; R taper (modal)"; "" without words.
 std::string words_text(const Code& code);
 
-// Words that are passed over beside codes, as they are printed; rules of codes that stand one after
+// Words that are ignored beside codes, as they are printed; rules of codes that stand one after
 // the other are one.
 struct PassedWords {
   std::string codes;  // "G80", "G110, G111", "G02, G03 with R", "every block"

@@ -25,7 +25,7 @@ Record end_record(const Position& position, ClauseId clause) {
   return end;
 }
 
-// A block behind '/' is passed over, and nothing in it is wrong but what a reading says.
+// A block behind '/' is skipped, and nothing in it is wrong but what a reading says.
 bool is_skipped(const grammar::Line& line) {
   const std::size_t first = line.text.find_first_not_of(" \t");
   return !line.too_long && first != std::string_view::npos && line.text[first] == '/';

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// THE REFERENCE IS NAIVE ON PURPOSE. It is written to be read beside the manual, clause by clause,
-// and to be exact; it is no model for a controller.
+// THE REFERENCE IS NAIVE ON PURPOSE. It is exact, and is meant to be read beside the manual, clause
+// by clause. It is no model for a controller.
 //
-// A program goes in line by line; items come out one at a time. Memory is one block, whatever the
+// A program goes in line by line; items come out one at a time. Memory is one block, for any
 // number of blocks or of motions of a block.
 #pragma once
 
@@ -139,17 +139,17 @@ class Expander {
   }
   // Whether lines have come in their order, and go on so.
   bool is_in_order() const { return !interpreter_->may_repeat_lines(); }
-  // Is told of every warning, with its line. A judge does without.
+  // Gets every warning, with its line. A judge does without.
   using WarningSink = std::function<void(const Warning&, const grammar::Line&)>;
   void on_warning(WarningSink sink) { warn_ = std::move(sink); }
-  // Is told of every block that runs on by a rule that no text states, with that clause: a control
+  // Gets every block that runs on by a rule that no text states, with that clause: a control
   // that alarms there breaks no text (docs/judging.md, R7).
   using AcceptanceSink = std::function<void(std::uint64_t block, ClauseId clause)>;
   void on_acceptance(AcceptanceSink sink) {
     accept_ = std::move(sink);
     out_.notes_acceptances = true;
   }
-  // Is told of the places of every cycle that runs, before its motions.
+  // Gets the places of every cycle that runs, before its motions.
   using PlaceSink = std::function<void(std::uint64_t block, const CyclePlaces& places)>;
   void on_places(PlaceSink sink) {
     place_ = std::move(sink);

@@ -46,7 +46,7 @@ struct GCodeReading {
   std::vector<Alarm> alarms;
   std::optional<NotCovered> not_covered;
   std::uint32_t seen = 0;  // the groups
-  Letters letters = 0;     // of the words that its codes take, but for those of the motion group
+  Letters letters = 0;     // of the words that its codes take, except those of the motion group
 
   // Whether the group was not there before.
   bool is_first_of(Group group) {

@@ -8,7 +8,7 @@
 namespace gonogo::reference {
 namespace {
 
-// What the trace does not show counts, too, where a verdict hangs on it.
+// What the trace does not show counts, too, where a verdict depends on it.
 bool is_the_same(const Record& a, const Record& b) {
   return a.kind == b.kind && a.feed_mode == b.feed_mode && a.plane == b.plane && a.axes == b.axes &&
          a.rot == b.rot && a.m == b.m && a.before_cut == b.before_cut &&
@@ -18,7 +18,7 @@ bool is_the_same(const Record& a, const Record& b) {
          a.via_axes == b.via_axes && a.via == b.via && is_silent(a.clause) == is_silent(b.clause);
 }
 
-// Which clause of a text it is does not matter; that of a silent rule says what it excuses.
+// Which clause of a text it is does not matter; that of an unstated rule says what it excuses.
 std::set<std::pair<AlarmClass, ClauseId>> admitted_by(const AlarmReport& report) {
   std::set<std::pair<AlarmClass, ClauseId>> admitted;
   for (const Alarm& alarm : report.alarms) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the reference says of a program, item by item: records, levels to be cleared, and how it
-// ends.
+// What the reference says about a program, item by item: records, levels to be cleared, and how
+// it ends.
 #pragma once
 
 #include <cstddef>
@@ -50,7 +50,7 @@ struct Alarm {
   WordName word;           // the address at fault or missing; empty: none
   grammar::Span where;     // of the word; past the line's end when it is missing
   std::string message;     // a sentence with the values
-  AlarmClasses also = {};  // what another reader of the rule may call it
+  AlarmClasses also = {};  // other classes that a reader of the rule may choose
 };
 
 // A block with at least one broken rule; the program ends before its motion. Any of them may be
@@ -66,7 +66,7 @@ struct AdmittedClass {
   AlarmClass alarm = AlarmClass::syntax;
   const Alarm* of = nullptr;
 };
-// Each once: those of the broken rules in their order, and then what else they may be called.
+// Each once: those of the broken rules in their order, then the other classes of each.
 std::vector<AdmittedClass> admitted_classes(const AlarmReport& report);
 // `classes`: one, or several between blanks, where the text of an alarm stands for several.
 bool admits(const AlarmReport& report, std::string_view classes);
@@ -89,7 +89,7 @@ struct NotCovered {
 };
 inline constexpr std::string_view kLackingProfile = "profile";
 
-// Something of a block that the gauge passes over, and that a reader should know of.
+// Something of a block that the gauge ignores, and that a reader should know of.
 struct Warning {
   std::string message;  // a sentence
   grammar::Span where;
@@ -202,7 +202,7 @@ struct PocketMilling {
   bool levels_from_clearance = false;  // equal and max_rest: from R103 + R102, not from R103
   bool finishing = false;
   bool contour_only = false;  // finishing: the floor is not milled
-  bool one_level = false;     // finishing: one level at the floor is admissible whatever R121 says
+  bool one_level = false;     // finishing: one level at the floor is admissible for any R121
   int sense = -1;             // sign of rot of the pass along the border
   Number depth_feed;          // R122
   Number plane_feed;          // R123
@@ -227,7 +227,7 @@ struct Renaming {
 using Item = std::variant<Record, PocketLevel, HelixPocket, ThreadMilling, PocketMilling, Renaming,
                           AlarmReport, NotCovered>;
 
-// Whether two items demand the same of a subject, whatever clauses they name: records of one
+// Whether two items demand the same of a subject, though under other clauses: records of one
 // content, alarms of the same classes on the same grounds.
 bool says_the_same(const Item& a, const Item& b);
 

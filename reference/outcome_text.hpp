@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How an outcome is written: the line of JSON that closes a trace (docs/protocol.md), and what is
-// wrong for people: file, line, column, the line itself with a caret, and the clause.
+// How an outcome is written: the line of JSON that closes a trace (docs/protocol.md), and the
+// message for people: file, line, column, the line itself with a caret, and the clause.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a clause turns on: a comparison with three outcomes, of which two are often one decision
-// (below and at a limit). They are told to whoever asks which of them programs have met; the
-// reference does not hang on it.
+// A comparison on which a clause depends. It has three outcomes, of which two are often one
+// decision (below and at a limit). An observer can learn which of them programs have met; the
+// reference does not depend on it.
 #pragma once
 
 #include <array>
@@ -15,16 +15,16 @@
 
 namespace gonogo::reference {
 
-// What was decided, for who watches. Both hold until `note` returns.
+// What was decided, for the observer. Both hold until `note` returns.
 struct Decision {
-  // `what` is an expression with the letters of the words, "L - 2 D". kNoClause: it is one of the geometry
-  // that several clauses stand on.
+  // `what` is an expression with the letters of the words, "L - 2 D". kNoClause: it is one of the
+  // geometry that several clauses stand on.
   ClauseId clause = kNoClause;
   std::string_view what;
-  int sign = 0;       // of the expression: -1, 0 or 1
-  Number value;       // of the expression; of roots it is 0
-  // Lengths of which the squares alone are known, um^2, so many times each: the expression is the size of the
-  // sum of the first two, and the third.
+  int sign = 0;  // of the expression: -1, 0 or 1
+  Number value;  // of the expression; of roots it is 0
+  // Lengths of which the squares alone are known, um^2, so many times each: the expression is the
+  // size of the sum of the first two, and the third.
   struct Root {
     int factor = 0;
     Number square;
@@ -32,8 +32,8 @@ struct Decision {
   std::array<Root, 3> roots{};
 };
 
-// Takes the reference's decisions in its own thread, while it lives; the one that was made last where
-// several live. Those live as on a stack.
+// Takes the reference's decisions in its own thread, while it lives; the one that was made last
+// where several live. Those live as on a stack.
 class DecisionWatch {
  public:
   DecisionWatch();
@@ -55,7 +55,7 @@ constexpr int sign_of(std::strong_ordering order) {
 int decided(ClauseId clause, std::string_view what, const Number& value);
 int decided(ClauseId clause, std::string_view what, const Number& a, const Number& b);
 
-// Whether anybody watches in this thread: then no decision may be left out.
+// Whether this thread has an observer: then no decision may be omitted.
 bool decisions_are_watched();
 
 // The sign of an expression of roots, as their squares say it.

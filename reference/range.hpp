@@ -10,7 +10,7 @@
 
 namespace gonogo::reference {
 
-// A written number of ten million or more, in whatever unit: more digits than a word of any of the
+// A written number of ten million or more, in any unit: more digits than a word of any of the
 // manuals has.
 bool is_beyond_range(const grammar::Decimal& value);
 bool is_beyond_range(const Number& value);

@@ -3,40 +3,18 @@
 
 #include <algorithm>
 
-#include "reference/catalog/gsk988ta_readings.hpp"
-#include "reference/catalog/hnc21t_readings.hpp"
-#include "reference/catalog/rs274_cycle_readings.hpp"
-#include "reference/catalog/rs274_readings.hpp"
-#include "reference/catalog/sinumerik_readings.hpp"
-
 namespace gonogo::reference {
-namespace {
-
-const std::vector<Reading>& table() {
-  static const std::vector<Reading> kTable = [] {
-    std::vector<Reading> all = catalog::gsk988ta_readings();
-    for (const auto& more : {catalog::hnc21t_readings(), catalog::rs274_readings(),
-                             catalog::rs274_cycle_readings(), catalog::sinumerik_readings()}) {
-      all.insert(all.end(), more.begin(), more.end());
-    }
-    return all;
-  }();
-  return kTable;
-}
-
-}  // namespace
-
 std::span<const Reading> readings() {
-  return table();
+  return catalog::kReadings;
 }
 
 const Reading& reading(ReadingKey key) {
-  return table()[index(key)];
+  return catalog::kReadings[index(key)];
 }
 
 const Reading* find_reading(std::string_view name) {
-  auto found = std::ranges::find(table(), name, &Reading::name);
-  return found == table().end() ? nullptr : &*found;
+  auto found = std::ranges::find(catalog::kReadings, name, &Reading::name);
+  return found == catalog::kReadings.end() ? nullptr : &*found;
 }
 
 bool Reading::belongs_to(std::string_view name_of_dialect) const {
@@ -64,7 +42,7 @@ ReadingChoice::Place ReadingChoice::place_of(const Reading& reading, std::string
 ReadingChoice::ReadingChoice() {
   static const std::array<Place, kReadings> kDefaults = [] {
     std::array<Place, kReadings> places{};
-    for (const Reading& reading : table()) {
+    for (const Reading& reading : catalog::kReadings) {
       places[index(reading.key)] = place_of(reading, reading.fallback);
     }
     return places;
@@ -82,16 +60,21 @@ std::string_view ReadingChoice::get(ReadingKey key) const {
 
 void ReadingChoice::set(ReadingKey key, std::string_view value) {
   const Place place = place_of(reading(key), value);
+  put(key, place);
+  if (place != kOwnText) return;
+  texts_.emplace(std::ranges::lower_bound(texts_, key, {}, &OwnText::first), key, value);
+}
+
+void ReadingChoice::put(ReadingKey key, Place place) {
   places_[index(key)] = place;
-  auto own = std::ranges::lower_bound(texts_, key, {}, &OwnText::first);
-  if (own != texts_.end() && own->first == key) own = texts_.erase(own);
-  if (place == kOwnText) texts_.emplace(own, key, value);
+  std::erase_if(texts_, [&](const OwnText& own) { return own.first == key; });
 }
 
 ReadingChoice ReadingChoice::shown() const {
   static const std::array<bool, kReadings> kOpen = [] {
     std::array<bool, kReadings> open{};
-    for (const Reading& reading : table()) open[index(reading.key)] = !reading.by_properties;
+    for (const Reading& reading : catalog::kReadings)
+      open[index(reading.key)] = !reading.by_properties;
     return open;
   }();
   ReadingChoice choice = *this;
@@ -101,11 +84,6 @@ ReadingChoice ReadingChoice::shown() const {
   return choice;
 }
 
-bool ReadingsInUse::is(ReadingKey key, std::string_view alternative) const {
-  touch(key);
-  return shown_.is(key, alternative);
-}
-
 exact::Number ReadingsInUse::length(ReadingKey key) const {
   touch(key);
   return exact::Number::parse(shown_.get(key)).value();
@@ -113,7 +91,7 @@ exact::Number ReadingsInUse::length(ReadingKey key) const {
 
 std::vector<ReadingKey> ReadingsInUse::touched() const {
   std::vector<ReadingKey> keys;
-  for (const Reading& reading : table()) {
+  for (const Reading& reading : catalog::kReadings) {
     if (touched_[index(reading.key)]) keys.push_back(reading.key);
   }
   return keys;

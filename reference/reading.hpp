@@ -12,136 +12,36 @@
 #include <utility>
 #include <vector>
 
-#include "reference/clause.hpp"
+#include "reference/catalog/gsk988ta_readings.hpp"
+#include "reference/catalog/hnc21t_readings.hpp"
+#include "reference/catalog/rs274_cycle_readings.hpp"
+#include "reference/catalog/rs274_readings.hpp"
+#include "reference/catalog/sinumerik_readings.hpp"
 #include "reference/exact/number.hpp"
 
 namespace gonogo::reference {
 
-// Every reading, in the order of the table in reading.cpp.
-enum class ReadingKey : std::uint8_t {
-  g94_rewrite,
-  g94_after_00,
-  g94_empty_block,
-  g94_in_mode,
-  g92_lead,
-  pocket_path,
-  pocket_end,
-  pocket_p_omitted,
-  pocket_pair,
-  pocket_r,
-  missing_axis,
-  zero_depth,
-  zero_depth_end,
-  x_depth,
-  helix_entry_side,
-  helix_flat,
-  helix_turns,
-  thread_path,
-  thread_runout,
-  thread_v_from,
-  thread_modal,
-  thread_mode,
-  thread_direction,
-  thread_r,
-  thread_k_range,
-  decimals,
-  duplicate,
-  dwell_without_word,
-  arc_zero_radius,
-  arc_tolerance_zero,
-  g50_initial_plane,
-  rotary_feed_inch,
-  hnc_missing_axis,
-  hnc_peck_from,
-  hnc_peck_withdraw,
-  hnc_peck_clamp,
-  hnc_g75_i,
-  hnc_g75_steps,
-  hnc_g75_end,
-  hnc_g75_mode3,
-  hnc_g75_depth_scale,
-  hnc_g82_exit,
-  hnc_g82_e_scale,
-  hnc_g82_starts,
-  hnc_modal_f,
-  hnc_offset_initial,
-  hnc_lead_unit,
-  hnc_arc_zero_radius,
-  ngc_arc_tolerance,
-  ngc_full_circle_words,
-  ngc_whole,
-  ngc_g80_beside,
-  ngc_unused_words,
-  ngc_line_number,
-  ngc_o_name,
-  ngc_program_end,
-  ngc_bare_motion,
-  ngc_arc_words_alone,
-  ngc_g92_other_axes,
-  ngc_equal,
-  ngc_sign_of_value,
-  ngc_call_parameters,
-  ngc_missing_tool,
-  ngc_g94_feed,
-  ngc_feed_units,
-  ngc_block_delete,
-  ngc_lone_cr,
-  ngc_alarm_dwell,
-  ngc_cycle_initial,
-  ngc_cycle_g91_r,
-  ngc_cycle_sticky,
-  ngc_cycle_approach,
-  ngc_cycle_initial_kept,
-  ngc_cycle_retract_start,
-  ngc_cycle_feed,
-  ngc_cycle_alarm_at,
-  ngc_g83_retract,
-  ngc_g83_return,
-  ngc_peck_clearance,
-  ngc_peck_d,
-  ngc_peck_dwell,
-  ngc_g73_end,
-  ngc_g85_out,
-  ngc_tap_p,
-  ngc_g74_l,
-  ngc_g33_k,
-  ngc_g76_checks,
-  ngc_g76_slide,
-  ngc_g76_entry,
-  sie_arc_correct,
-  sie_cr_tolerance,
-  sie_spindle,
-  sie_initial_motion,
-  sie_g70_f,
-  sie_g158,
-  sie_rpl_equals,
-  sie_g258,
-  sie_infeed,
-  sie_infeed_from,
-  sie_finish_levels,
-  sie_corner,
-  sie_pocket_path,
-  sie_lcyc_unit,
-  sie_lc75_r125_limit,
-};
-inline constexpr std::size_t kReadings = 104;
+namespace catalog {
+
+// The readings of all dialects, one table after the other, each with its place.
+inline constexpr auto kReadings = [] {
+  auto all = joined(kGskReadings, kHncReadings, kNgcReadings, kNgcCycleReadings,
+                    kSinumerikPathReadings, kSinumerikCycleReadings);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].key = static_cast<ReadingKey>(i);
+  return all;
+}();
+
+}  // namespace catalog
+
+inline constexpr std::size_t kReadings = catalog::kReadings.size();
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }
 
-struct Reading {
+// One alternative of a reading, or its "any".
+struct ReadingAlternative {
   ReadingKey key;
-  std::string_view name;                       // "gsk.pocket.end"
-  std::string_view dialect;                    // "gsk988ta"
-  std::vector<std::string_view> alternatives;  // without "any"; the default or the one shown first
-  std::string_view fallback;                   // the default: an alternative or "any"
-  bool by_properties = false;  // "any" is judged by what the path does, not by paths
-  bool is_length = false;      // any decimal (mm) is an alternative
-  ClauseId clause = kNoClause;
-  std::string_view text;       // what the choice is about
-  std::string_view also = {};  // a second dialect that has the reading
-
-  bool belongs_to(std::string_view name_of_dialect) const;
+  std::uint8_t place;  // 0: "any"; else the place among the alternatives, from 1
 };
 
 std::span<const Reading> readings();
@@ -157,9 +57,11 @@ class ReadingChoice {
   ReadingChoice();  // the defaults
   std::string_view get(ReadingKey key) const;
   void set(ReadingKey key, std::string_view value);
+  void set(ReadingAlternative value) { put(value.key, value.place); }
   bool is(ReadingKey key, std::string_view value) const { return get(key) == value; }
-  // The same choice, but for each open "any" that is not judged by properties the alternative that
-  // `expand` shows.
+  bool is(ReadingAlternative value) const { return places_[index(value.key)] == value.place; }
+  // The same choice, where each open "any" that is not judged by properties has the alternative
+  // that `expand` shows.
   ReadingChoice shown() const;
   friend bool operator==(const ReadingChoice&, const ReadingChoice&) = default;
 
@@ -173,6 +75,7 @@ class ReadingChoice {
   static constexpr Place kOwnText = 255;
   using OwnText = std::pair<ReadingKey, std::string>;
   static Place place_of(const Reading& reading, std::string_view value);
+  void put(ReadingKey key, Place place);
 
   std::array<Place, kReadings> places_;
   std::vector<OwnText> texts_;  // lengths, by key
@@ -184,9 +87,12 @@ class ReadingsInUse {
   explicit ReadingsInUse(const ReadingChoice& choice) : shown_(choice.shown()) {}
   // Whether the alternative holds. An open "any" that is not judged by properties counts as the
   // alternative that `expand` shows.
-  bool is(ReadingKey key, std::string_view alternative) const;
+  bool is(ReadingAlternative value) const {
+    touch(value.key);
+    return shown_.is(value);
+  }
   exact::Number length(ReadingKey key) const;
-  // The reading mattered, whatever it says.
+  // The reading mattered, with any value.
   void touch(ReadingKey key) const {
     if (!std::exchange(touched_[index(key)], true)) ++count_;
   }
@@ -205,3 +111,30 @@ class ReadingsInUse {
 };
 
 }  // namespace gonogo::reference
+
+namespace gonogo {
+
+// "gsk.pocket.end"_key: the place of a reading in the table, checked when compiling.
+consteval reference::ReadingKey operator""_key(const char* name, std::size_t size) {
+  for (const reference::Reading& reading : reference::catalog::kReadings) {
+    if (reading.name == std::string_view(name, size)) return reading.key;
+  }
+  throw "no such reading";
+}
+
+// "gsk.pocket.end=initial"_reading: an alternative of a reading, or "any", checked when compiling.
+consteval reference::ReadingAlternative operator""_reading(const char* text, std::size_t size) {
+  const std::string_view words(text, size);
+  const std::size_t equals = words.find('=');
+  for (const reference::Reading& reading : reference::catalog::kReadings) {
+    if (reading.name != words.substr(0, equals)) continue;
+    const std::string_view value = words.substr(equals + 1);
+    if (value == "any") return {reading.key, 0};
+    for (std::size_t i = 0; i < reading.alternatives.size(); ++i) {
+      if (reading.alternatives[i] == value) return {reading.key, static_cast<std::uint8_t>(i + 1)};
+    }
+  }
+  throw "no such reading or alternative";
+}
+
+}  // namespace gonogo

@@ -29,7 +29,7 @@ struct Record {
   bool among_motions = false;  // m: the text says between which motions and dwells it comes
   std::uint64_t block = 0;     // 1-based source line; 0: not known
   ClauseId clause = kNoClause;  // what says so
-  // How finely the control works out the centre of an arc. No part of the trace.
+  // How finely the control computes the centre of an arc. No part of the trace.
   ClauseId centre_clause = kNoClause;
   Position to;                   // end point
   Number feed;                   // feed, arc, arc3: mm/min or mm/rev of the path

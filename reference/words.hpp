@@ -96,7 +96,7 @@ class WordTable : public WordPlaces {
 
 // Whether an address other than G stands twice.
 bool repeats_address(const grammar::Block& block);
-// An alarm for each word whose address stands before it, but for those that may stand twice.
+// An alarm for each word whose address stands before it, except those that may stand twice.
 void check_repeated_addresses(const WordTable& words, ClauseId clause, std::vector<Alarm>& alarms,
                               std::string_view may_repeat = "G");
 // An alarm where both letters of an axis stand in the block, at the later one.

@@ -6,14 +6,22 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
 #include <random>
 #include <set>
+#include <system_error>
 
+#include "campaign/results_reader.hpp"
+#include "campaign/results_writer.hpp"
+#include "campaign/selection.hpp"
+#include "campaign/trace_file.hpp"
+#include "capture/capture_tally.hpp"
 #include "cli/arguments.hpp"
 #include "cli/causes.hpp"
 #include "cli/certify_options.hpp"
@@ -37,16 +45,11 @@
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
+#include "corpus/io/sha256.hpp"
 #include "expanders/registry.hpp"
-#include "oracle/campaign/results_reader.hpp"
-#include "oracle/campaign/results_writer.hpp"
-#include "oracle/campaign/selection.hpp"
-#include "oracle/campaign/trace_file.hpp"
-#include "oracle/capture/capture_tally.hpp"
-#include "oracle/corpus/sha256.hpp"
-#include "oracle/report/clauses.hpp"
-#include "oracle/report/command.hpp"
-#include "oracle/report/json_value.hpp"
+#include "publish/report/clauses.hpp"
+#include "publish/report/command.hpp"
+#include "publish/report/json_value.hpp"
 #include "reference/dialect.hpp"
 #include "reference/reading.hpp"
 
@@ -393,6 +396,15 @@ void need_cases(const CampaignSummary& summary, const oracle::CampaignOptions& c
                   corpus.folder()));
 }
 
+// J-RUN-14: a run that names neither a dialect nor a case is of the dialects that the subject
+// declares.
+void take_declared_dialects(CertifyOptions& options, oracle::CampaignOptions& campaign,
+                            const oracle::SubjectInfo& info) {
+  if (!options.dialects.empty() || !options.cases.empty()) return;
+  for (const auto& [dialect, features] : info.dialects) options.dialects.push_back(dialect);
+  campaign.dialects = options.dialects;
+}
+
 int certify_one(CertifyOptions options, const std::string& subject, const std::string& report) {
   // A pass is proven by its trace alone.
   if (!options.certificate.empty() && options.traces.empty()) options.traces = report + "/traces";
@@ -405,6 +417,7 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
   std::unique_ptr<oracle::Subject> first = make();
   const oracle::SubjectInfo info = first->info();
   const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
+  take_declared_dialects(options, campaign, info);
   std::optional<KnownFailuresFile> known;
   if (!options.write_known_failures.empty()) {
     known.emplace(options.write_known_failures, options.known_failures);
@@ -429,7 +442,7 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
   } catch (const oracle::CorpusError& error) {
     throw UsageError(error.what());
   } catch (const oracle::ResultsUnwritable& error) {
-    // Whatever was judged is in the journal.
+    // All that was judged is in the journal.
     throw OutputError(fmt::format("{}. What was judged so far is kept: make room and run the same "
                                   "command with --resume.",
                                   error.what()),
@@ -503,7 +516,19 @@ int certify_each(const CertifyOptions& options, const std::string& report) {
   return exit_code;
 }
 
-// What was found in a run before is run again, whatever else is asked for.
+// What was found of a subject is asked of it again; a command or a library that only a file names
+// is never run.
+std::string subject_of(const oracle::ResultsReader& results, const std::string& path) {
+  const auto subject = results.header().value("subject", nlohmann::ordered_json::object());
+  const std::string spec = oracle::report::text_of(subject, "spec");
+  if (spec.empty() || spec.starts_with("builtin:")) return spec;
+  throw UsageError(
+      fmt::format("{} names the subject, and what a file names is not run. If it is yours: gonogo "
+                  "certify --subject {} --failed-of {}",
+                  path, oracle::shell_quoted(spec), oracle::shell_quoted(path)));
+}
+
+// What was found in a run before is run again in any case.
 CertifyOptions with_failed_cases(CertifyOptions options) {
   if (options.failed_of.empty()) return options;
   const std::string path = results_in(options.failed_of);
@@ -512,8 +537,7 @@ CertifyOptions with_failed_cases(CertifyOptions options) {
   try {
     oracle::ResultsReader results(path);
     if (options.subjects.empty()) {
-      const auto subject = results.header().value("subject", nlohmann::ordered_json::object());
-      const std::string spec = oracle::report::text_of(subject, "spec");
+      const std::string spec = subject_of(results, path);
       if (!spec.empty()) options.subjects.push_back(spec);
     }
     for (oracle::CaseHead head; results.next(head);) {
@@ -534,10 +558,21 @@ CertifyOptions with_failed_cases(CertifyOptions options) {
   return options;
 }
 
-// Short enough to be typed again.
-long drawn_seed() {
+// Short enough to be typed again. GONOGO_SEED in the environment stands for a drawn one where a run
+// has to be the same again, as in tests; results then say `--seed`, as if it had been typed.
+void draw_seed(CertifyOptions& options) {
   constexpr unsigned kMost = 1'000'000'000;
-  return static_cast<long>(std::random_device()() % (kMost - 1)) + 1;
+  const char* const named = std::getenv("GONOGO_SEED");
+  if (named == nullptr || *named == '\0') {
+    options.seed = static_cast<long>(std::random_device()() % (kMost - 1)) + 1;
+    return;
+  }
+  const std::string_view text = named;
+  const auto [end, error] = std::from_chars(text.begin(), text.end(), options.seed);
+  if (error != std::errc{} || end != text.end() || options.seed < 0) {
+    throw UsageError(fmt::format("GONOGO_SEED is \"{}\" and not a whole number.", text));
+  }
+  options.argv.insert(options.argv.end(), {"--seed", std::to_string(options.seed)});
 }
 
 void check_clauses(const CertifyOptions& options) {
@@ -551,7 +586,7 @@ void check_clauses(const CertifyOptions& options) {
 
 int certify(const CertifyOptions& asked) {
   CertifyOptions options = with_failed_cases(asked);
-  if (options.seed < 0) options.seed = drawn_seed();
+  if (options.seed < 0) draw_seed(options);
   check_clauses(options);
   check_readings(options);
   if (options.fail_fast && !options.certificate.empty()) {
@@ -600,7 +635,7 @@ void add_certify(Command& program) {
   command.repeated_option("--case", options->cases, "only this case");
   command.option("--failed-of", options->failed_of,
                  "only the cases that are findings of these results, a file or its folder; without "
-                 "--subject those of its subject");
+                 "--subject of its built-in subject");
   command.repeated_option("--cycle", options->cycles, "only cases of this cycle, as g94");
   command.repeated_option("--clause", options->clauses, "only cases that test this clause");
   command.option("--shard", options->shard, "part i of n: i/n");

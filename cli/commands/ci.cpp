@@ -15,7 +15,8 @@
 #include "cli/exit_code.hpp"
 #include "cli/hunt_causes.hpp"
 #include "cli/output.hpp"
-#include "hunt/campaign_state.hpp"
+#include "fuzz/hunt/campaign_state.hpp"
+#include "fuzz/hunt/finding_files.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -38,7 +39,8 @@ HuntWords hunt_words(const CiWords& words) {
   return hunt;
 }
 
-// What the nights found is where the hunt begins, and no news. How many findings that are known.
+// What the nights found is where the hunt begins, and no news; what was mended is tried first, and
+// is news where it comes back. How many findings that are known.
 std::size_t begin_from(const std::string& campaign, const std::string& dialect, hunt::Hunt& hunt) {
   std::size_t known = 0;
   for (const std::string& shard : shards_in(campaign)) {
@@ -47,15 +49,18 @@ std::size_t begin_from(const std::string& campaign, const std::string& dialect, 
       hunt.offer(program);
     }
     for (const auto& [signature, finding] : state.findings) {
-      if (!finding.stands()) continue;
-      hunt.know(signature);
-      ++known;
+      if (finding.stands()) {
+        hunt.know(signature);
+        ++known;
+      } else {
+        hunt.try_next(hunt::read_reproducer(shard + "/findings/" + finding.id, dialect).program);
+      }
     }
   }
   return known;
 }
 
-// The departures of a campaign, if one is named, and other faces of what they come from.
+// The departures of a campaign, if one is named, and other symptoms of what they come from.
 HuntBefore what_is_known(const CiWords& words, const std::string& dialect) {
   if (words.campaign.empty()) return {};
   const auto mistakes = std::make_shared<KnownMistakes>(words.campaign, words.trial);

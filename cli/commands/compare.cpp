@@ -9,8 +9,8 @@
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/results_file.hpp"
-#include "oracle/evidence/compare.hpp"
-#include "oracle/evidence/compare_runs.hpp"
+#include "publish/evidence/compare.hpp"
+#include "publish/evidence/compare_runs.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -14,10 +14,10 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "generate/cover/cases.hpp"
-#include "oracle/corpus/corpus_diff.hpp"
-#include "oracle/corpus/folder_writer.hpp"
-#include "oracle/corpus/lint.hpp"
+#include "fuzz/generate/cover/cases.hpp"
+#include "corpus/io/corpus_diff.hpp"
+#include "corpus/io/folder_writer.hpp"
+#include "corpus/io/lint.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {

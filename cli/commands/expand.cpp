@@ -13,7 +13,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "oracle/judge/different_assignments.hpp"
+#include "oracle/steps/different_assignments.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {

@@ -11,7 +11,7 @@
 #include "cli/formats.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "oracle/judge/different_assignments.hpp"
+#include "oracle/steps/different_assignments.hpp"
 #include "oracle/judge/time_rows.hpp"
 #include "oracle/records/run_scope.hpp"
 #include "reference/expander.hpp"

@@ -13,8 +13,8 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/version.hpp"
-#include "oracle/campaign/selection.hpp"
-#include "oracle/capture/exporter.hpp"
+#include "campaign/selection.hpp"
+#include "capture/exporter.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -18,7 +18,7 @@
 #include "cli/program_file.hpp"
 #include "cli/subjects.hpp"
 #include "expanders/registry.hpp"
-#include "hunt/kill_matrix.hpp"
+#include "fuzz/hunt/kill_matrix.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -101,7 +101,7 @@ std::vector<hunt::Method> methods_of(const std::string& text) {
   return methods;
 }
 
-// The expander's name with that fault, as a target. `sound` and what it takes along are of the
+// The expander's name with that fault, as a target. `sound` and what it captures are of the
 // expander.
 hunt::MatrixTarget target_of(std::string_view expander, const expanders::FaultDescription& fault,
                              hunt::MatrixTarget sound) {
@@ -197,12 +197,11 @@ int faults(const FaultsOptions& options) {
       const Kills kills = run(corpus, "builtin:" + spec, options.fail_fast);
       std::string verdicts;
       for (const std::string& verdict : kills.verdicts) verdicts += " " + verdict;
-      output.text() += kills.cases == 0
-                           ? fmt::format("{:<34} SURVIVES: {}\n", spec, fault.what)
-                        : options.fail_fast
-                            ? fmt::format("{:<34} found by {}{}\n", spec, kills.first, verdicts)
-                            : fmt::format("{:<34} {:>6} cases, first {}{}\n", spec, kills.cases,
-                                          kills.first, verdicts);
+      output.text() += kills.cases == 0 ? fmt::format("{:<34} SURVIVES: {}\n", spec, fault.what)
+                       : options.fail_fast
+                           ? fmt::format("{:<34} found by {}{}\n", spec, kills.first, verdicts)
+                           : fmt::format("{:<34} {:>6} cases, first {}{}\n", spec, kills.cases,
+                                         kills.first, verdicts);
       output.flush();
       survivors += kills.cases == 0 ? 1 : 0;
       ++all;
@@ -222,7 +221,8 @@ void add_faults(Command& program) {
       program.add_command("faults", "Run every planted fault through the corpus: the kill matrix");
   command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
   command.flag("--list", options->list, "only name the faults and what they do");
-  command.flag("--fail-fast", options->fail_fast, "of each fault, stop at the first case that finds it");
+  command.flag("--fail-fast", options->fail_fast,
+               "of each fault, stop at the first case that finds it");
   command.flag("--matrix", options->matrix, "what it costs each method to find each fault");
   command.option("--method", options->methods,
                  "with --matrix, of corpus,properties,operations,hunt,fuzz (corpus,hunt)");

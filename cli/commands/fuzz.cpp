@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // gonogo fuzz: libFuzzer makes the programs, led by what they reach in a library that was built for
-// it. It ends with the first finding, which is told and kept as those of gonogo hunt.
+// it. It ends with the first finding, which is printed and kept as those of gonogo hunt.
 #include <fmt/format.h>
 #include <unistd.h>
 

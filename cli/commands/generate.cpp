@@ -18,11 +18,11 @@
 #include "cli/program_file.hpp"
 #include "cli/subjects.hpp"
 #include "cli/version.hpp"
-#include "generate/cover/cases.hpp"
-#include "generate/valid_programs.hpp"
-#include "hunt/drawn_vectors.hpp"
-#include "hunt/repertoire.hpp"
-#include "oracle/corpus/folder_writer.hpp"
+#include "corpus/io/folder_writer.hpp"
+#include "fuzz/generate/cover/cases.hpp"
+#include "fuzz/generate/valid_programs.hpp"
+#include "fuzz/hunt/drawn_vectors.hpp"
+#include "fuzz/hunt/supported_features.hpp"
 #include "oracle/records/features.hpp"
 #include "reference/dialect.hpp"
 
@@ -204,11 +204,11 @@ hunt::ProgramDraw drawn_within(const GenerateWords& words, const std::set<std::s
   oracle::SubjectInfo info;
   info.everything = features.empty();
   if (!features.empty()) info.dialects[words.dialect] = features;
-  const auto repertoire = std::make_shared<const hunt::Repertoire>(info, words.dialect);
+  const auto supported = std::make_shared<const hunt::SupportedFeatures>(info, words.dialect);
   const generate::Generator& generator = generate::generator_of(words.dialect);
-  return [repertoire, &generator, settings = settings_option(words.settings)](std::uint64_t seed) {
+  return [supported, &generator, settings = settings_option(words.settings)](std::uint64_t seed) {
     generate::Choices choices(seed);
-    return repertoire->fitted(generator.generate(choices, settings, nullptr));
+    return supported->fitted(generator.generate(choices, settings, nullptr));
   };
 }
 

@@ -3,6 +3,7 @@
 // gonogo host LIBRARY: runs a shared library as a subject of the pipe protocol. `certify` starts it
 // for lib:LIBRARY; by hand it shows what a library answers.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -11,9 +12,10 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
-#include "oracle/subject.hpp"
-#include "oracle/subjects/library_file.hpp"
-#include "oracle/subjects/library_host.hpp"
+#include "oracle/records/text.hpp"
+#include "subjects/library_file.hpp"
+#include "subjects/library_host.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -58,13 +60,21 @@ oracle::LibraryHost made_host(const oracle::Library& library, const Channel& cha
   throw oracle::SubjectUnusable(library.path() + ": " + error.what());
 }
 
+// What can be done with a library that fits. One that declares no dialect is asked for one.
+std::string fits(const HostOptions& options, const std::string& reply) {
+  const std::string subject = oracle::shell_quoted("lib:" + options.library);
+  const bool declares = reply.find("\"dialects\"") != std::string::npos;
+  return fmt::format("The library fits. Next: gonogo certify --subject {}{}", subject,
+                     declares ? "" : " --dialect rs274");
+}
+
 int host(const HostOptions& options) {
   const Channel channel;
   try {
     const oracle::Library library(options.library);
     oracle::LibraryHost host = made_host(library, channel);
     if (options.check) {
-      say(channel, host.start_reply());
+      say(channel, host.start_reply() + "\n" + fits(options, host.start_reply()));
     } else {
       host.serve();
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // gonogo hunt: generated programs, led by what they exercise of the reference, against a subject.
-// Each departure of a new kind is made small and shown.
+// Each departure of a new kind is reduced and shown.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -48,7 +48,7 @@ class HuntProgress {
 
 // One line that shows the finding again.
 std::string again(const HuntWords& words, const hunt::Finding& finding, const std::string& id) {
-  if (id.empty() || !finding.exhibit.before.empty()) {
+  if (id.empty() || !finding.reproducer.before.empty()) {
     return fmt::format("{} --programs {}", command_of(words), finding.program);
   }
   return reduce_command(fmt::format("{}/findings/{}", words.trial.out, id), words.trial);
@@ -57,18 +57,18 @@ std::string again(const HuntWords& words, const hunt::Finding& finding, const st
 struct HuntTally {
   std::size_t no_go = 0;
   std::size_t oracle_errors = 0;
-  std::size_t known = 0;  // faces of what was known before
+  std::size_t known = 0;  // symptoms of what was known before
   bool complete = true;
   std::size_t findings() const { return no_go + oracle_errors; }
 };
 
-// Whether the finding is told as one more face of what was known before.
+// Whether the finding is printed as one more symptom of what was known before.
 bool take_known(const HuntBefore& before, const hunt::Finding& finding, HuntTally& tally) {
   const std::string cause = before.known_cause ? before.known_cause(finding) : std::string();
   if (cause.empty()) return false;
   ++tally.known;
   Output output;
-  output.text() = fmt::format("known: {}, a new face of: {}\n", finding.signature.text(), cause);
+  output.text() = fmt::format("known: {}, a new symptom of: {}\n", finding.signature.text(), cause);
   output.flush();
   return true;
 }
@@ -100,15 +100,15 @@ std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTa
       hunt.pool().features(), hunt.pool().size(), tally.findings(),
       tally.known == 0
           ? ""
-          : ", " + oracle::counted(tally.known, "new face", "new faces") + " of known causes",
+          : ", " + oracle::counted(tally.known, "new symptom", "new symptoms") + " of known causes",
       tally.complete ? "" : "; the hunt is incomplete");
 }
 
 // What the subject skipped: also where it was little, for then the hunt knew what to leave out.
-std::string skipped_text(const hunt::Hunt& hunt) {
+std::string skipped_text(hunt::Hunt& hunt, const std::string& dialect) {
   const hunt::HuntCount& count = hunt.count();
   std::string text;
-  const std::string out = hunt.repertoire().left_out();
+  const std::string out = hunt.supported().left_out();
   if (!out.empty()) {
     text = fmt::format(
         "The subject skips programs with: {}\nThat nothing was found in them says nothing.\n", out);
@@ -120,6 +120,9 @@ std::string skipped_text(const hunt::Hunt& hunt) {
         "declare what the subject does (dialects and features of its answer to `start`), or draw "
         "programs that it runs (--settings, --profile).\n",
         count.moved, count.programs);
+    if (!hunt.trial().info().declares(dialect, "basic")) {
+      text += "The subject does not declare the feature basic, which every drawn program needs.\n";
+    }
   }
   return text;
 }
@@ -185,7 +188,7 @@ int hunt_programs(HuntWords words, const HuntBefore& before) {
     }
   }
   Output output;
-  output.text() = summary(words, hunt, tally) + skipped_text(hunt);
+  output.text() = summary(words, hunt, tally) + skipped_text(hunt, words.dialect);
   output.flush();
   if (tally.no_go > 0) return kNoGo;
   const bool undecided = tally.oracle_errors > 0 || !tally.complete || judged_little(hunt.count());

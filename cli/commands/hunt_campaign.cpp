@@ -13,7 +13,7 @@
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
 #include "cli/version.hpp"
-#include "hunt/campaign.hpp"
+#include "fuzz/hunt/campaign.hpp"
 #include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
@@ -51,11 +51,11 @@ void run_job(hunt::HuntCampaign& campaign, const std::string& folder, std::size_
   }
 }
 
-// Whether a face that stands is none of those that are known.
+// Whether a symptom that stands is none of those that are known.
 bool has_news(const hunt::HuntSummary& summary, const std::set<hunt::Signature>& known) {
   return std::ranges::any_of(summary.findings, [&](const hunt::CampaignFinding& finding) {
-    return std::ranges::any_of(finding.faces, [&](const hunt::Face& face) {
-      return face.stands && !known.contains(face.signature);
+    return std::ranges::any_of(finding.symptoms, [&](const hunt::Symptom& symptom) {
+      return symptom.stands && !known.contains(symptom.signature);
     });
   });
 }
@@ -111,7 +111,7 @@ int hunt_campaign(HuntWords words) {
       summary.count.programs, summary.count.moved, findings_text(summary), words.campaign);
   output.flush();
   if (board.failed()) return kUndecided;
-  // What was told of a round that was broken off is not in the folder yet.
+  // What was printed of an interrupted round is not in the folder yet.
   if (has_news(summary, options.known) || board.findings() > 0) return kNoGo;
   return summary.count.programs == 0 || judged_little(summary.count) ? kUndecided : kGo;
 }

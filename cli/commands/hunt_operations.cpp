@@ -11,7 +11,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
-#include "hunt/operation_hunt.hpp"
+#include "fuzz/hunt/operation_hunt.hpp"
 #include "oracle/records/output_file.hpp"
 #include "oracle/records/text.hpp"
 

@@ -12,7 +12,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
-#include "hunt/property_hunt.hpp"
+#include "fuzz/hunt/property_hunt.hpp"
 #include "oracle/differential/differential.hpp"
 #include "oracle/records/output_file.hpp"
 #include "oracle/records/text.hpp"

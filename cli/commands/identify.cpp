@@ -12,8 +12,8 @@
 #include "cli/output.hpp"
 #include "cli/sandbox_options.hpp"
 #include "cli/subjects.hpp"
-#include "identify/attribution.hpp"
-#include "identify/identify.hpp"
+#include "fuzz/identify/attribution.hpp"
+#include "fuzz/identify/identify.hpp"
 #include "oracle/records/output_file.hpp"
 #include "reference/dialect.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/judged_sheet.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/recorded_trace.hpp"
@@ -15,10 +16,11 @@
 #include "cli/times_text.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
-#include "hunt/trial.hpp"
+#include "fuzz/hunt/trial.hpp"
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/records/text.hpp"
 #include "oracle/relation/definition.hpp"
-#include "oracle/report/command.hpp"
+#include "publish/report/command.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -29,6 +31,7 @@ struct JudgeOptions {
   std::string subject;
   std::string numeric;
   std::string resolution;
+  std::string sheet;
   bool time = false;
   bool rounding = false;
   bool by_definition = false;
@@ -36,7 +39,7 @@ struct JudgeOptions {
   LimitOptions limits;
 };
 
-oracle::JudgeTerms terms_for(const TraceFeatures& features, const JudgeOptions& options,
+oracle::Tolerances terms_for(const TraceFeatures& features, const JudgeOptions& options,
                              const reference::Profile& profile) {
   oracle::SubjectInfo subject;
   if (features.blocks) subject.features.insert("blocks");
@@ -45,7 +48,7 @@ oracle::JudgeTerms terms_for(const TraceFeatures& features, const JudgeOptions& 
   if (subject.resolution) subject.numeric_kind = "fixed";
   if (!options.numeric.empty()) subject.numeric_kind = options.numeric;
   subject.says_numeric = subject.resolution || !options.numeric.empty();
-  return make_terms(subject, profile, options.limits.grants());
+  return make_tolerances(subject, profile, options.limits.grants());
 }
 
 void check_numeric(const std::string& kind) {
@@ -60,7 +63,7 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
                                    TraceFeatures& features) {
   features = trace.likely_features();
   for (;;) {
-    const oracle::JudgeTerms terms = terms_for(features, options, profile);
+    const oracle::Tolerances terms = terms_for(features, options, profile);
     oracle::JudgeSession session(profile, program, terms);
     bool undecided = true;
     const TraceSummary seen = trace.read([&](std::string_view line) { return session.line(line); },
@@ -99,10 +102,11 @@ std::string text_of(const oracle::ProgramText& program) {
   return text;
 }
 
-// The same terms, for the definition of the relation (docs/relation.md).
-relation::Terms terms_of_definition(const oracle::JudgeTerms& terms, const JudgeOptions& options,
-                                    const reference::Profile& profile) {
-  relation::Terms same;
+// The same tolerances, for the definition of the relation (docs/relation.md).
+relation::Tolerances terms_of_definition(const oracle::Tolerances& terms,
+                                         const JudgeOptions& options,
+                                         const reference::Profile& profile) {
+  relation::Tolerances same;
   same.tolerance = terms.tolerance;
   same.increment = profile.resolution();
   same.chord = terms.chord;
@@ -125,7 +129,7 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
   if (seen.end.kind != oracle::RunEnd::Kind::ok && seen.end.kind != oracle::RunEnd::Kind::alarm) {
     throw UsageError(seen.end.message);
   }
-  const relation::Terms terms =
+  const relation::Tolerances terms =
       terms_of_definition(terms_for(seen.features, options, profile), options, profile);
   const bool alarms = seen.end.kind == oracle::RunEnd::Kind::alarm;
   const relation::Answer answer = relation::decide(profile, text_of(program), terms,
@@ -141,13 +145,13 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
 // The command that shows where the motions of the block come from.
 std::string explaining(const JudgeOptions& options, const std::string& dialect,
                        std::uint64_t block) {
-  using oracle::report::shell_word;
+  using oracle::shell_quoted;
   if (options.program == "-") return {};
   std::string command = fmt::format("{} explain {} --dialect {}", oracle::report::program_word(),
-                                    shell_word(options.program), dialect);
-  if (!options.profile.file.empty()) command += " --profile " + shell_word(options.profile.file);
+                                    shell_quoted(options.program), dialect);
+  if (!options.profile.file.empty()) command += " --profile " + shell_quoted(options.profile.file);
   for (const std::string& reading : options.profile.readings) {
-    command += " --reading " + shell_word(reading);
+    command += " --reading " + shell_quoted(reading);
   }
   return block == 0 ? command : fmt::format("{} --block {}", command, block);
 }
@@ -160,6 +164,23 @@ std::string told(const JudgeOptions& options, const reference::Profile& profile,
   facts.blocks = oracle::marked_blocks(*program.open(), line);
   facts.next = explaining(options, profile.dialect, line);
   return verdict_text(verdict, std::move(facts));
+}
+
+void draw(const JudgeOptions& options, const reference::Profile& profile, std::string program,
+          const oracle::Verdict& verdict, std::vector<reference::Record> records) {
+  write_judged_sheet(options.sheet,
+                     {profile, options.program, std::move(program), verdict, std::move(records)});
+}
+
+// The first records of a trace, as many as a drawing shows.
+std::vector<reference::Record> drawn_records(const RecordedTrace& trace) {
+  constexpr std::size_t kMostDrawn = 20'000;
+  std::vector<reference::Record> records;
+  trace.each([&](const reference::Record& record) {
+    records.push_back(record);
+    return records.size() < kMostDrawn;
+  });
+  return records;
 }
 
 // The subject runs the program now, and its own description says what is compared.
@@ -177,6 +198,7 @@ int judge_subject(const JudgeOptions& options, const reference::Profile& profile
   if (run.end.kind == Kind::skip || run.end.kind == Kind::refused) {
     throw UsageError(fmt::format("The subject does not run it: {}", run.end.message));
   }
+  if (!options.sheet.empty()) draw(options, profile, program, run.verdict, run.records);
   Output output;
   output.text() = told(options, profile, program, run.verdict);
   output.flush();
@@ -195,6 +217,9 @@ int judge(const JudgeOptions& options) {
   if (options.program == "-" && options.trace == "-") {
     throw UsageError("Only one of program and trace can come from standard input.");
   }
+  if (options.by_definition && !options.sheet.empty()) {
+    throw UsageError("--sheet draws what the judge says: leave --by-definition out.");
+  }
   const StoredFile program(options.program);
   RecordedTrace trace(options.trace);
   if (options.by_definition) {
@@ -204,6 +229,10 @@ int judge(const JudgeOptions& options) {
   TraceFeatures features;
   const oracle::SessionVerdict session = judge_trace(
       options, profile, oracle::ProgramText::of_file(program.descriptor()), trace, features);
+  if (!options.sheet.empty()) {
+    draw(options, profile, text_of(oracle::ProgramText::of_file(program.descriptor())),
+         session.verdict, drawn_records(trace));
+  }
   Output output;
   output.text() =
       told(options, profile, oracle::ProgramText::of_file(program.descriptor()), session.verdict) +
@@ -231,6 +260,7 @@ void add_judge(Command& program) {
                  "how the trace's numbers were computed: fixed, binary64 or exact");
   command.option("--resolution", options->resolution,
                  "what the trace's lengths were rounded to, mm, a decimal");
+  command.option("--sheet", options->sheet, "file for a drawing of both paths, SVG");
   command.flag("--time", options->time,
                "also tell times of cuts and dwells, and how far traverses go");
   command.flag("--rounding", options->rounding, "also tell how coordinates are rounded");

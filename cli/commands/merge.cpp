@@ -17,8 +17,8 @@
 #include "cli/program_file.hpp"
 #include "cli/results_file.hpp"
 #include "cli/verdict_text.hpp"
-#include "oracle/campaign/merge.hpp"
-#include "oracle/campaign/results_reader.hpp"
+#include "campaign/merge.hpp"
+#include "campaign/results_reader.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -9,8 +9,8 @@
 #include "cli/output.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
-#include "hunt/profile_parts.hpp"
-#include "program/text.hpp"
+#include "fuzz/hunt/profile_parts.hpp"
+#include "fuzz/program/text.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -47,9 +47,9 @@ int reduce(const ReduceWords& words) {
   }
   const hunt::GivenMachine given = given_machine(words.profile);
   hunt::reduce_finding(trial, *finding, {},
-                       [&](const hunt::Exhibit& exhibit) { return given.is_in(exhibit); });
+                       [&](const hunt::Reproducer& reproducer) { return given.is_in(reproducer); });
   const std::string id = keep_finding(words.trial, 0, trial, *finding);
-  const generate::GeneratedProgram& reduced = finding->exhibit.program;
+  const generate::GeneratedProgram& reduced = finding->reproducer.program;
   oracle::FindingFacts facts = oracle::finding_facts(finding->verdict);
   facts.blocks = oracle::marked_blocks(reduced.text, finding->verdict.block);
   complain("{}profile    {}\n{} blocks of {}, after {} runs{}{}\n",

@@ -13,8 +13,8 @@
 #include "cli/pdf.hpp"
 #include "cli/program_file.hpp"
 #include "cli/results_file.hpp"
-#include "oracle/evidence/certificate.hpp"
-#include "oracle/evidence/evidence.hpp"
+#include "publish/evidence/certificate.hpp"
+#include "publish/evidence/evidence.hpp"
 
 namespace gonogo::cli {
 namespace {

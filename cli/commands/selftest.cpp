@@ -10,7 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
-#include "oracle/campaign/case_judge.hpp"
+#include "campaign/case_judge.hpp"
 #include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
@@ -30,13 +30,13 @@ constexpr std::array<SelftestProgram, 3> kPrograms = {{
 }};
 
 // What a subject must get, program by program; programs without an entry are not run with it.
-struct Trial {
+struct SubjectVerdicts {
   const char* subject;
   std::array<std::optional<VerdictKind>, 3> expected;
 };
 
-const std::vector<Trial>& trials() {
-  static const std::vector<Trial> kTrials = {
+const std::vector<SubjectVerdicts>& trials() {
+  static const std::vector<SubjectVerdicts> kTrials = {
       {"reference",
        {VerdictKind::pass_exact, VerdictKind::pass_properties, VerdictKind::pass_exact}},
       {"empty",
@@ -71,7 +71,7 @@ int selftest() {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
   Output output;
   std::size_t wrong = 0;
-  for (const Trial& trial : trials()) {
+  for (const SubjectVerdicts& trial : trials()) {
     const oracle::SubjectMaker maker = [&] {
       return oracle::make_pipe_subject(
           fmt::format("exec {} misbehave {}", oracle::shell_quoted(self), trial.subject),

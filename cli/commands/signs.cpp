@@ -12,8 +12,8 @@
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/subjects.hpp"
-#include "generate/generator.hpp"
-#include "hunt/sign_coverage.hpp"
+#include "fuzz/generate/generator.hpp"
+#include "fuzz/hunt/sign_coverage.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {

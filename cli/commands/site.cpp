@@ -10,8 +10,8 @@
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/results_file.hpp"
-#include "oracle/campaign/results_reader.hpp"
-#include "oracle/site/site.hpp"
+#include "campaign/results_reader.hpp"
+#include "publish/site/site.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -28,7 +28,7 @@ struct SiteWords {
   bool mixed_corpus = false;
 };
 
-// A path, or NAME=PATH, or NAME@VERSION=PATH; a path that is there is a path, whatever it holds.
+// A path, or NAME=PATH, or NAME@VERSION=PATH; what exists as a path is taken as one.
 Source source_of(const std::string& word) {
   Source source;
   const std::size_t equals = word.find('=');

@@ -5,16 +5,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "oracle/manual/examples.hpp"
-#include "oracle/manual/page.hpp"
 #include "oracle/records/features.hpp"
 #include "oracle/records/output_file.hpp"
+#include "publish/manual/examples.hpp"
+#include "publish/manual/page.hpp"
 #include "reference/dialect.hpp"
 #include "reference/editions.hpp"
 #include "reference/reading.hpp"
@@ -24,11 +25,28 @@ namespace {
 
 struct SpecOptions {
   std::string dialect;
+  std::string about;
   bool features = false;
   bool alarms = false;
   std::string format = "text";
   std::string out;
 };
+
+// Whether a name is the word or has it among its parts, in letters of either case: GSK-G94-02 and
+// gsk.g94.in-mode have g94. Without a word every name does.
+bool concerns(std::string_view name, std::string_view word) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  if (word.empty() || std::ranges::equal(name, word, same)) return true;
+  while (!name.empty()) {
+    const std::size_t end = std::min(name.find_first_of("-."), name.size());
+    if (std::ranges::equal(name.substr(0, end), word, same)) return true;
+    name.remove_prefix(std::min(end + 1, name.size()));
+  }
+  return false;
+}
 
 void append_features(std::string& out) {
   for (const oracle::Feature& feature : oracle::feature_vocabulary()) {
@@ -64,9 +82,10 @@ void append_alarm_classes(std::string& out) {
 }
 
 // Below the document and section where each stands: level, basis and text.
-void append_clauses(const reference::Dialect& dialect, std::string& out) {
+void append_clauses(const reference::Dialect& dialect, std::string_view about, std::string& out) {
   std::string_view source;
   for (const reference::Clause& clause : dialect.clauses) {
+    if (!concerns(clause.id, about)) continue;
     if (clause.source != source) {
       source = clause.source;
       out += fmt::format("\n{}\n", source);
@@ -82,10 +101,13 @@ void append_clauses(const reference::Dialect& dialect, std::string& out) {
   }
 }
 
-void append_readings(std::string_view dialect, std::string& out) {
+void append_readings(std::string_view dialect, std::string_view about, std::string& out) {
   out += "\nReadings (default first)\n";
   for (const reference::Reading& reading : reference::readings()) {
     if (!reading.belongs_to(dialect)) continue;
+    const bool is_asked =
+        concerns(reading.name, about) || concerns(reference::clause_name(reading.clause), about);
+    if (!is_asked) continue;
     std::string choices(reading.fallback);
     for (std::string_view alternative : reading.alternatives) {
       if (alternative != reading.fallback) choices += fmt::format(" | {}", alternative);
@@ -97,10 +119,11 @@ void append_readings(std::string_view dialect, std::string& out) {
   }
 }
 
-void append_codes(const reference::Dialect& dialect, std::string& out) {
+void append_codes(const reference::Dialect& dialect, std::string_view about, std::string& out) {
   out += "\nCodes that are read, and their words (modal: they stay in force)\n";
   for (const reference::Code& code : dialect.descriptor->codes) {
     if (code.treatment != reference::Treatment::read || code.is_m()) continue;
+    if (!concerns(code.name, about) && !concerns(code.feature, about)) continue;
     out += fmt::format("  {:<6} {} [{}]", code.text(), code.title, code.feature);
     if (code.clause != reference::kNoClause) {
       out += fmt::format(" ({})", reference::clause_name(code.clause));
@@ -117,14 +140,14 @@ void append_outside(const reference::Dialect& dialect, std::string& out) {
     out += fmt::format("  {:<6} {}\n", code.code, code.title);
   }
   out += fmt::format("  {}\n", dialect.outside_constructs);
-  out += "\nPassed over: codes without effect on the path\n ";
+  out += "\nIgnored: codes without effect on the path\n ";
   for (const std::string& code : reference::codes_without_effect(*dialect.descriptor)) {
     out += fmt::format(" {}", code);
   }
   out += '\n';
   const std::vector<reference::PassedWords> rules = reference::passed_words(*dialect.descriptor);
   if (rules.empty()) return;
-  out += "\nPassed over: words beside codes that do not use them\n";
+  out += "\nIgnored: words beside codes that do not use them\n";
   for (const reference::PassedWords& rule : rules) {
     out += fmt::format("  {}: {}\n{:8}{} ({})\n", rule.codes, rule.words, "", rule.why,
                        reference::clause_name(rule.clause));
@@ -162,14 +185,24 @@ int spec(const SpecOptions& options) {
   if (!options.dialect.empty()) load_profile({options.dialect, "", {}});  // unknown: wrong use
   if (options.format == "markdown") return write_pages(options);
   if (!options.out.empty()) throw UsageError("--out goes with --format markdown.");
+  bool has_any = false;
   for (const reference::Dialect& dialect : reference::dialects()) {
     if (!options.dialect.empty() && options.dialect != dialect.name) continue;
-    output.text() += fmt::format("Dialect {}\nTexts: {}.\n", dialect.name,
-                                 reference::editions_of(dialect.name));
-    append_clauses(dialect, output.text());
-    append_readings(dialect.name, output.text());
-    append_codes(dialect, output.text());
-    append_outside(dialect, output.text());
+    const bool has_clauses = std::ranges::any_of(
+        dialect.clauses, [&](const auto& clause) { return concerns(clause.id, options.about); });
+    if (!has_clauses) continue;
+    has_any = true;
+    output.text() +=
+        fmt::format("Dialect {}\nTexts: {}.\n", dialect.name, reference::editions_of(dialect.name));
+    append_clauses(dialect, options.about, output.text());
+    append_readings(dialect.name, options.about, output.text());
+    append_codes(dialect, options.about, output.text());
+    if (options.about.empty()) append_outside(dialect, output.text());
+  }
+  if (!has_any) {
+    throw UsageError(fmt::format(
+        "No clause is about {}. Write a code, as g94, or a clause: `gonogo spec` prints them all.",
+        options.about));
   }
   output.flush();
   return kGo;
@@ -181,6 +214,7 @@ void add_spec(Command& program) {
   auto options = std::make_shared<SpecOptions>();
   Command command = program.add_command("spec", "Print the clauses and readings of a dialect");
   command.option("--dialect", options->dialect, "one of: " + reference::dialect_names() + " (all)");
+  command.option("--about", options->about, "only what concerns a code or clause, as g94");
   command.flag("--features", options->features,
                "the words by which a subject declares what it has");
   command.flag("--alarms", options->alarms,

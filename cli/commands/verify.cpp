@@ -14,8 +14,8 @@
 #include "cli/program_file.hpp"
 #include "cli/run_again.hpp"
 #include "cli/version.hpp"
-#include "oracle/evidence/statement.hpp"
-#include "oracle/evidence/verify.hpp"
+#include "publish/evidence/statement.hpp"
+#include "publish/evidence/verify.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "corpus/recipes/corpus_text.hpp"
-#include "oracle/corpus/recheck.hpp"
+#include "corpus/io/recheck.hpp"
 
 namespace gonogo::recipes {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "corpus/recipes/cover_recipe.hpp"
 #include "corpus/recipes/recipe.hpp"
-#include "oracle/corpus/folder_writer.hpp"
-#include "oracle/corpus/toml_file.hpp"
+#include "corpus/io/folder_writer.hpp"
+#include "corpus/io/toml_file.hpp"
 
 namespace gonogo::recipes {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "generate/cover/cases.hpp"
-#include "oracle/corpus/toml_file.hpp"
+#include "fuzz/generate/cover/cases.hpp"
+#include "corpus/io/toml_file.hpp"
 
 namespace gonogo::recipes {
 

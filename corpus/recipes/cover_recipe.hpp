@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/corpus/corpus.hpp"
+#include "corpus/io/corpus.hpp"
 
 namespace gonogo::recipes {
 

@@ -8,9 +8,9 @@
 #include <set>
 #include <sstream>
 
-#include "oracle/corpus/toml_file.hpp"
+#include "corpus/io/toml_file.hpp"
 #include "oracle/records/base64.hpp"
-#include "program/features.hpp"
+#include "fuzz/program/features.hpp"
 
 namespace gonogo::recipes {
 
@@ -185,8 +185,8 @@ void check_effects(const RecipeCase& recipe, const std::vector<Expectation>& exp
 }  // namespace
 
 std::vector<RecipeCase> read_recipe(const std::string& path) {
+  const Json document = document_of(path);
   try {
-    const Json document = document_of(path);
     need_keys(document, "The file", {"dialect", "cycle", "opening", "group"});
     const std::string opening = document.value("opening", "");
     std::vector<RecipeCase> cases;
@@ -205,9 +205,7 @@ std::vector<RecipeCase> read_recipe(const std::string& path) {
   } catch (const Json::exception& error) {
     throw CorpusError(fmt::format("{}: {}", path, error.what()));
   } catch (const CorpusError& error) {
-    const std::string_view message = error.what();
-    if (message.starts_with(path)) throw;
-    throw CorpusError(fmt::format("{}: {}", path, message));
+    throw CorpusError(fmt::format("{}: {}", path, error.what()));
   }
 }
 

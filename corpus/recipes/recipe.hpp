@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/corpus/corpus.hpp"
+#include "corpus/io/corpus.hpp"
 
 namespace gonogo::recipes {
 

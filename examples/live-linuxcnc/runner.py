@@ -50,18 +50,18 @@ class Samples:
         """Samples from now on are of this program; of this line of it, 0: as the machine says."""
         hal.set_p("sampler.0.pin.9", str(number * LINES + line))
 
-    def take(self, number, patience=10.0):
+    def take(self, number, timeout=10.0):
         """All samples of a program that is over."""
         with self.condition:
-            self.condition.wait_for(lambda: self.seen == 0, patience)
+            self.condition.wait_for(lambda: self.seen == 0, timeout)
             return self.by_program.pop(number, [])
 
 
 class Machine:
     """The session as a user of it sees it."""
 
-    def __init__(self, work, sampler, modes, patience=30.0):
-        self.patience = patience
+    def __init__(self, work, sampler, modes, timeout=30.0):
+        self.timeout = timeout
         self.work = work
         self.modes = modes
         self.delays = 0
@@ -75,15 +75,15 @@ class Machine:
 
     def _switch_on(self):
         self.command.state(linuxcnc.STATE_ESTOP_RESET)
-        self.command.wait_complete(self.patience)
+        self.command.wait_complete(self.timeout)
         self.command.state(linuxcnc.STATE_ON)
-        self.command.wait_complete(self.patience)
+        self.command.wait_complete(self.timeout)
         self.command.mode(linuxcnc.MODE_MANUAL)
-        self.command.wait_complete(self.patience)
+        self.command.wait_complete(self.timeout)
         self.command.teleop_enable(False)
-        self.command.wait_complete(self.patience)
+        self.command.wait_complete(self.timeout)
         self.command.home(-1)
-        self._until(lambda: all(self.status.homed[:5]), self.patience, "the axes are not homed")
+        self._until(lambda: all(self.status.homed[:5]), self.timeout, "the axes are not homed")
         self.command.set_optional_stop(False)
         self.command.set_block_delete(False)
         self.messages()
@@ -93,8 +93,8 @@ class Machine:
         self.component.exit()
         self.command = self.status = self.errors = None
 
-    def _until(self, done, patience, complaint):
-        until = time.monotonic() + patience
+    def _until(self, done, timeout, complaint):
+        until = time.monotonic() + timeout
         while True:
             self.status.poll()
             if done():
@@ -124,22 +124,22 @@ class Machine:
 
     def _mdi(self, words, complaint):
         self.command.mdi(words)
-        self.command.wait_complete(self.patience)
-        self._until(self.idle, self.patience, complaint)
+        self.command.wait_complete(self.timeout)
+        self._until(self.idle, self.timeout, complaint)
 
     def _prepare(self, start):
         """Modes, offsets and parameters as at power-on, and the axes at the start."""
         self.command.abort()
-        self.command.wait_complete(self.patience)
-        self._until(self.idle, self.patience, "the machine does not come to rest")
+        self.command.wait_complete(self.timeout)
+        self._until(self.idle, self.timeout, "the machine does not come to rest")
         with open(os.path.join(self.work, "linuxcnc.var"), "w", encoding="ascii") as file:
             for parameter in sorted(KEPT):
                 value = 1 if parameter == 5220 else 0
                 file.write("%d\t%.6f\n" % (parameter, value))
         self.command.mode(linuxcnc.MODE_MDI)
-        self.command.wait_complete(self.patience)
+        self.command.wait_complete(self.timeout)
         self.command.reset_interpreter()
-        self.command.wait_complete(self.patience)
+        self.command.wait_complete(self.timeout)
         self._mdi("M5 M9 G17 G21 G40 G49 G54 G80 G90 G94 G97 G98 " + self.modes,
                   "the modes are not set")
         # The interpreter keeps what the last program set.
@@ -150,7 +150,7 @@ class Machine:
         self._mdi("G0 " + " ".join("%s%s" % (axis.upper(), start.get(axis, "0"))
                                    for axis in AXES), "the axes do not come to their start")
         self.command.mode(linuxcnc.MODE_AUTO)
-        self.command.wait_complete(self.patience)
+        self.command.wait_complete(self.timeout)
         self.messages()
 
     def run(self, number, path, limit, start, by_line):
@@ -159,7 +159,7 @@ class Machine:
         before it done, and does not stop it on the way."""
         self._prepare(start)
         self.command.program_open(path)
-        self.command.wait_complete(self.patience)
+        self.command.wait_complete(self.timeout)
         self.samples.mark(number, 0)
         time.sleep(SETTLE)
         over = time.monotonic() + limit
@@ -173,7 +173,7 @@ class Machine:
 
     def _taken(self):
         """The last command is taken, if not done."""
-        self._until(lambda: self.status.echo_serial_number >= self.command.serial, self.patience,
+        self._until(lambda: self.status.echo_serial_number >= self.command.serial, self.timeout,
                     "a command is not taken")
 
     def _to_rest(self, over):
@@ -189,8 +189,8 @@ class Machine:
                 self._taken()
             if time.monotonic() > over:
                 self.command.abort()
-                self.command.wait_complete(self.patience)
-                self._until(self.idle, self.patience, "the machine does not stop")
+                self.command.wait_complete(self.timeout)
+                self._until(self.idle, self.timeout, "the machine does not stop")
                 return None, True
             time.sleep(0.005)
         return alarm_of(texts), False
@@ -202,7 +202,7 @@ class Machine:
 
     def _lines(self, number, path, over):
         self.command.mode(linuxcnc.MODE_MDI)
-        self.command.wait_complete(self.patience)
+        self.command.wait_complete(self.timeout)
         with open(path, encoding="utf-8", errors="replace", newline="") as file:
             lines = re.split("\r\n|\r|\n", file.read())
         for line, text in enumerate(lines, 1):

@@ -59,10 +59,10 @@ def children(pid):
 class Session:
     """with Session(machine, work): LinuxCNC runs, homed and on; after it nothing is left."""
 
-    def __init__(self, machine, work, patience=60.0, lag=0.0, modes=""):
+    def __init__(self, machine, work, timeout=60.0, lag=0.0, modes=""):
         self.machine = machine
         self.work = work
-        self.patience = patience
+        self.timeout = timeout
         self.lag = lag
         self.modes = modes
         self.lock = None
@@ -116,7 +116,7 @@ class Session:
                             os.path.join(BIN, "milltask"), "-ini", "gauge.ini"], stdout=self.log)
         self._run("halcmd", "start")
         try:
-            task.wait(self.patience)
+            task.wait(self.timeout)
         except subprocess.TimeoutExpired:
             raise SessionFault("milltask does not become ready") from None
         self.sampler = self._spawn(["stdbuf", "-oL", os.path.join(BIN, "halsampler"), "-t"],
@@ -124,7 +124,7 @@ class Session:
 
     def _take_lock(self):
         self.lock = open(LOCK, "a", encoding="ascii")
-        until = time.monotonic() + self.patience
+        until = time.monotonic() + self.timeout
         while True:
             try:
                 fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -146,7 +146,7 @@ class Session:
     def _run(self, name, *arguments, check=True):
         part = self._spawn([os.path.join(BIN, name), *arguments], stdout=self.log)
         try:
-            code = part.wait(self.patience)
+            code = part.wait(self.timeout)
         except subprocess.TimeoutExpired:
             raise SessionFault("%s %s does not come to an end" % (name, " ".join(arguments))) from None
         if check and code != 0:
@@ -160,7 +160,7 @@ class Session:
         try:
             if self.environment is not None:
                 for command in (("halcmd", "stop"), ("halcmd", "unload", "all"), ("rtapi_app", "exit")):
-                    self.patience = 5.0
+                    self.timeout = 5.0
                     try:
                         self._run(*command, check=False)
                     except (SessionFault, OSError):
@@ -175,13 +175,13 @@ class Session:
 
     @staticmethod
     def _end_children():
-        for number, patience in ((signal.SIGTERM, 3.0), (signal.SIGKILL, 3.0)):
+        for number, timeout in ((signal.SIGTERM, 3.0), (signal.SIGKILL, 3.0)):
             for pid in children(os.getpid()):
                 try:
                     os.kill(pid, number)
                 except ProcessLookupError:
                     pass
-            until = time.monotonic() + patience
+            until = time.monotonic() + timeout
             while children(os.getpid()) and time.monotonic() < until:
                 try:
                     while os.waitpid(-1, os.WNOHANG)[0] != 0:

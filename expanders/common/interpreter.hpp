@@ -59,7 +59,7 @@ class LetterInterpreter : public Interpreter {
   /// Notes in `lacking` what the control can do and this expander cannot: that goes before every
   /// alarm of the block.
   virtual void check_coverage() {}
-  /// Rules of the block that do not hang on its codes.
+  /// Rules of the block that do not depend on its codes.
   virtual void check_words() = 0;
   /// Takes the codes of the block in and prepares its motion.
   virtual void prepare(Plan& plan) = 0;

@@ -170,7 +170,7 @@ class Reader {
       return axis(name, value, place);
     });
   }
-  // One of these codes, whatever zeros stand before it; "none" where it is among them.
+  // One of these codes, with or without zeros before it; "none" where it is among them.
   bool code(const std::string& key, const Json& json, std::string_view codes, int& value) {
     const std::string name = number_of(json);
     value = -1;

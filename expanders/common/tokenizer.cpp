@@ -22,7 +22,7 @@ bool LineReader::next(std::string_view& line) {
   return true;
 }
 
-// Passes over blanks and comments; false when a comment does not end on the line.
+// Skips blanks and comments; false when a comment does not end on the line.
 bool Tokenizer::skip_blanks() {
   while (cursor_ != end_) {
     if (*cursor_ == ' ' || *cursor_ == '\t') {

@@ -55,7 +55,7 @@ class Tokenizer {
   }
   /// Whether the number of the word is nothing but digits, as those of N and O are.
   bool has_plain_number() const;
-  /// Passes over the digits that follow the token; false: there are none.
+  /// Skips the digits that follow the token; false: there are none.
   bool skip_digits();
 
  private:

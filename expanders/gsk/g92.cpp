@@ -42,7 +42,7 @@ void prepare_thread_cycle(Machine& machine, const Block& block, Plan& plan) {
   if (changes_thread(block)) machine.lacking = "G92 with this J, K, P, Q, I or L";
   if (!words.runs) return;
   close_path(machine, words.path, words.taper);
-  // F is the lead in mm a revolution, whatever the feed mode.
+  // F is the lead in mm a revolution in either feed mode.
   const bool is_feed = machine.follows("gsk.g92.lead=feed"_reading);
   Fixed lead = is_feed ? machine.state.feed : machine.state.lead;
   if (lead == 0) return machine.raise(AlarmKind::kLeadMissing);

@@ -86,7 +86,7 @@ Interpreter::Lines Interpreter::lines() const {
   return {counting, machine_.has("alarm-next-block"_fault)};
 }
 
-// GSK-COM-07: parameter 3403#6 decides, whatever gsk.duplicate says.
+// GSK-COM-07: parameter 3403#6 decides, not gsk.duplicate.
 LetterBlock::Manner Interpreter::manner() const {
   const Fixed alarms = machine_.profile.parameters[kDuplicatesAlarm];
   const bool later = alarms < 0 ? machine_.follows("gsk.duplicate=last"_reading) : alarms == 0;

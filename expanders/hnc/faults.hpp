@@ -58,7 +58,7 @@ inline constexpr auto kFaults = std::to_array<FaultDescription>({
      ">= written for >"},
     {"ratio-unchecked", "G82 accepts any run-out", "HNC-G82-04", "check forgotten"},
     {"pair-unchecked", "G82 accepts R without E", "HNC-G82-03", "check forgotten"},
-    {"starts-from-circle", "the starts of G82 are 360 / C apart, whatever P says", "HNC-G82-06",
+    {"starts-from-circle", "the starts of G82 are 360 / C apart and P is ignored", "HNC-G82-06",
      "even division assumed"},
     {"starts-at-zero", "all passes of G82 begin at one spindle angle", "HNC-G82-06",
      "pass number not handed to the spindle"},

@@ -10,7 +10,7 @@ void prepare_turn_cycle(Machine& machine, const Block& block, Plan& plan) {
   take_length(machine, block, 'I', taper);
   if (is_idle(machine, block, true, true)) return;
   const CycleEnd end = cycle_end(machine, block, true, true);
-  // HNC-G80-02: I is a difference of radii, whatever G36 and G91 say.
+  // HNC-G80-02: I is a difference of radii; G36 and G91 do not change that.
   Fixed by = taper.value;
   if (machine.has("g80-taper-diameter"_fault)) by /= 2;
   if (machine.has("g80-taper-sign"_fault)) by = -by;

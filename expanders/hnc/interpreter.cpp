@@ -109,7 +109,7 @@ Motion Interpreter::coming_motion() const {
   return code == nullptr ? machine_.state.motion : motion_of(code->tenths / 10);
 }
 
-// Words that this expander has a use for, or may pass over, under a motion code; an empty set is
+// Words that this expander has a use for, or may ignore, under a motion code; an empty set is
 // that of G00 and G01. HNC-MOD-05: the cycles take in each other's words.
 AddressSet Interpreter::words_of(Motion motion) const {
   constexpr AddressSet kPlain{"XUZW"};

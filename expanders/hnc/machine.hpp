@@ -41,7 +41,7 @@ struct Retained {
 };
 
 /// What a cycle, or G32, keeps from block to block until the command changes. Lengths are true
-/// millimetres, whatever the units were changed to since.
+/// millimetres, so that a later change of units does not change them.
 struct CycleStore {
   Retained taper;       // I of G80 and G82, K of G81
   Retained withdrawal;  // R of G74 and G75

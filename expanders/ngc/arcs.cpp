@@ -210,7 +210,7 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
   const Plane& plane = plane_of(state.plane);
   Arc arc;
   arc.plane = state.plane;
-  arc.feed.value = state.feed.linear;
+  arc.feed = feed_of(state);
   arc.to = commanded_point(machine, block, arc.axes);
   const bool counterclockwise = state.motion == Motion::kArcCounterclockwise;
   arc.rot = sense_of(machine, counterclockwise) * turns_of(machine, block);

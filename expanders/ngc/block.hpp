@@ -69,9 +69,15 @@ class Block {
     const bool blends = control != nullptr && control->tenths == 640;
     if (address == 'P' && (has_dwell() || blends)) return true;
     if (address == 'Q' && blends) return true;
+    const Code* speed = code(Group::kSpindle);
+    if (address == 'D' && speed != nullptr && speed->tenths == 960) return true;
     return std::any_of(functions_.begin(), functions_.end(), [&](const FunctionWord& word) {
       return word.number && uses_word(*word.number, address);
     });
+  }
+  bool has_function(Fixed m) const {
+    return std::any_of(functions_.begin(), functions_.end(),
+                       [&](const FunctionWord& word) { return word.number == m; });
   }
   /// The number of the line has decimals, or more digits than NIST's interpreter takes.
   bool long_number() const { return long_number_; }

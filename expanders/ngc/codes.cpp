@@ -14,7 +14,7 @@ constexpr std::array kCodes{
     Code{0, Group::kMotion, kFull},        Code{10, Group::kMotion, kFull},
     Code{20, Group::kMotion, kFull},       Code{30, Group::kMotion, kFull},
     Code{40, Group::kOnce, kFull},         Code{50, Group::kMotion, kOut},
-    Code{70, Group::kLathe, kOut},         Code{80, Group::kLathe, kNone},
+    Code{70, Group::kLathe, kFull},        Code{80, Group::kLathe, kFull},
     Code{100, Group::kOnce, kOut},         Code{170, Group::kPlane, kFull},
     Code{171, Group::kPlane, kOut},        Code{180, Group::kPlane, kFull},
     Code{181, Group::kPlane, kOut},        Code{190, Group::kPlane, kFull},
@@ -51,9 +51,9 @@ constexpr std::array kCodes{
     Code{901, Group::kArcDistance, kFull}, Code{910, Group::kDistance, kFull},
     Code{911, Group::kArcDistance, kFull}, Code{920, Group::kOnce, kOut},
     Code{921, Group::kOnce, kOut},         Code{922, Group::kOnce, kOut},
-    Code{923, Group::kOnce, kOut},         Code{930, Group::kFeedMode, kOut},
-    Code{940, Group::kFeedMode, kNone},    Code{950, Group::kFeedMode, kOut},
-    Code{960, Group::kSpindle, kOut},      Code{970, Group::kSpindle, kNone},
+    Code{923, Group::kOnce, kOut},         Code{930, Group::kFeedMode, kFull},
+    Code{940, Group::kFeedMode, kFull},    Code{950, Group::kFeedMode, kFull},
+    Code{960, Group::kSpindle, kFull},     Code{970, Group::kSpindle, kFull},
     Code{980, Group::kReturn, kFull},      Code{990, Group::kReturn, kFull},
 };
 
@@ -76,7 +76,7 @@ const Code* find_code(Fixed tenths) {
 }
 
 Function find_function(Fixed m) {
-  if (m == 19 || m == 72 || m == 73 || m == 98 || m == 99 || (m >= 100 && m <= 199)) return Function::kOutside;
+  if (m == 19 || m == 98 || m == 99 || (m >= 100 && m <= 199)) return Function::kOutside;
   const bool known = (m >= 0 && m <= 9) || m == 30 || (m >= 48 && m <= 53) ||
                      (m >= 60 && m <= 68) || (m >= 70 && m <= 73);
   return known ? Function::kKnown : Function::kUnknown;

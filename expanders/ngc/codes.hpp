@@ -54,7 +54,7 @@ enum class FunctionGroup : std::uint8_t {
   kSignal,    // M62 to M68
   kTool,      // M6 M61
   kSpindle,   // M3 M4 M5
-  kModes,     // M70 M71
+  kModes,     // M70 to M73
   kCoolant,   // M7 M8 M9
   kOverride,  // M48 to M53
   kStop       // M0 M1 M2 M30 M60

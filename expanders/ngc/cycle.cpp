@@ -79,7 +79,11 @@ void CycleBlock::prepare(Plan& plan) {
   take_pecks();
   if (stands_still()) cycle_.count = std::min<Fixed>(cycle_.count, 1);
   cycle_.spindle = state_.spindle;
-  cycle_.feed.value = state_.feed.linear;
+  cycle_.feed = feed_of(state_);
+  // NGC-CYC-21
+  if (machine_.spares("cycle-in-inverse-time"_fault, state_.feed_mode == FeedMode::kInverseTime)) {
+    machine_.complain(AlarmKind::kConflictingWords, 'G', kNowhere);
+  }
   // NGC-CYC-20
   if (state_.feed.linear == 0 && !machine_.configuration.needs_no_feed) {
     machine_.complain(AlarmKind::kFeedMissing);
@@ -157,7 +161,7 @@ void CycleBlock::take_initial() {
   cycle_.initial = reached(machine_, block_, other, depth_word_);
 }
 
-// Nil for absolute words, but for the fault that counts from where the machine was switched on.
+// Nil for absolute words, except the fault that counts from where the machine was switched on.
 Fixed CycleBlock::offset(std::size_t axis) const {
   return machine_.alters<Fixed>("cycle-ignores-offset"_fault, 0,
                                 machine_.configuration.position[axis]);

@@ -64,7 +64,7 @@ void ThreadingBlock::prepare() {
   take_tapers();
   take_slide();
   if (state.spindle == 5) machine_.complain(AlarmKind::kSpindleStopped);  // NGC-G76-04
-  thread_.feed.value = state.feed.linear;
+  thread_.feed = feed_of(state);
   for (const Fixed place : {thread_.x, thread_.z_start, thread_.z_end, thread_.peak, thread_.depth,
                             thread_.taper, thread_.lead}) {
     within_reach(static_cast<long double>(place));

@@ -148,6 +148,24 @@ Flow Interpreter::unsupported(char letter, unsigned tenths) {
   return unsupported(std::string_view{code, static_cast<std::size_t>(size)});
 }
 
+// NGC-DIA-02
+Flow Interpreter::check_diameters() {
+  const State& state = machine_.state;
+  const Code* lathe = block_.code(Group::kLathe);
+  const bool changes = lathe != nullptr && (lathe->tenths == 70) != state.diameter;
+  if (changes && block_.has('X')) return unsupported("X where G7 or G8 changes the mode");
+  if (lathe != nullptr ? lathe->tenths != 70 : !state.diameter) return Flow::kContinue;
+  const Code* centre = block_.code(Group::kArcDistance);
+  const bool absolute = centre != nullptr ? centre->tenths == 901 : state.absolute_centre;
+  if (block_.has('I') && absolute) return unsupported("I under G7 and G90.1");
+  const Code* plane = block_.code(Group::kPlane);
+  const Code* code = block_.code(Group::kMotion);
+  const Motion motion = code != nullptr ? static_cast<Motion>(code->tenths) : state.motion;
+  const int in_force = plane != nullptr ? plane->tenths / 10 : state.plane;
+  return is_cycle(motion) && in_force == 19 ? unsupported("A cycle along X under G7")
+                                            : Flow::kContinue;
+}
+
 // What the control can do and this expander cannot; it goes before every alarm of the block but
 // that of a code that the control does not know, which may have been another motion.
 Flow Interpreter::check_coverage() {
@@ -155,6 +173,7 @@ Flow Interpreter::check_coverage() {
   for (const char address : {'B', 'U', 'V', 'W'}) {
     if (block_.has(address)) return unsupported({&address, 1});
   }
+  if (const Flow lathe = check_diameters(); lathe != Flow::kContinue) return lathe;
   const Code* code = block_.code(Group::kMotion);
   const Motion motion = code != nullptr ? static_cast<Motion>(code->tenths) : machine_.state.motion;
   const bool synchronous = motion == Motion::kG33 || motion == Motion::kG331;

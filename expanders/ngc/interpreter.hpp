@@ -27,12 +27,15 @@ class Interpreter {
   bool refuses_number() const;
   Flow check_end();
   Flow run_block();
+  Flow check_diameters();
   Flow check_coverage();
   void check_block();
   void check_numbers();
   bool check_functions();
   void prepare(Plan& plan);
+  void take_feed_mode();
   void take_feed();
+  void take_saved(Plan& plan);
   void take_spindle();
   void take_modes();
   void take_distance();
@@ -42,6 +45,7 @@ class Interpreter {
   bool runs_motion() const;
   void check_uses();
   bool lacks_axis() const;
+  void check_spindle();
   void prepare_motion(Plan& plan);
   Flow perform_plan(const Plan& plan);
   Flow run_functions(bool before);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include "expanders/ngc/plan.hpp"
 
 namespace gonogo::expanders::ngc {
@@ -19,6 +21,25 @@ void check_bare(Machine& machine, const Block& block, bool cut) {
   }
 }
 
+// NGC-FED-01: the speed at which the way takes 1/F minutes.
+Fixed timed(Machine& machine, const Block& block, const Point& to) {
+  if (!block.has('F')) {
+    machine.complain(AlarmKind::kFeedMissing);
+    return 0;
+  }
+  const Point& from = machine.state.position;
+  const bool straight = moves_straight(from, to);
+  long double squares = 0;
+  for (std::size_t axis = 0; axis < GONOGO_AXES; ++axis) {
+    const bool is_linear = (kLinearAxes & axis_bit(axis)) != 0;
+    if (machine.spares("inverse-time-of-all-axes"_fault, straight != is_linear)) continue;
+    const auto way = static_cast<long double>(to[axis] - from[axis]);
+    squares += way * way;
+  }
+  const auto turns = static_cast<long double>(block.number('F').value) / kOne;
+  return static_cast<Fixed>(std::llround(std::sqrt(squares) * turns));
+}
+
 }  // namespace
 
 // NGC-G0-01, NGC-DIS-01
@@ -28,10 +49,15 @@ void prepare_line(Machine& machine, const Block& block, Plan& plan) {
   line.to = commanded_point(machine, block, line.axes);
   line.cut = state.motion == Motion::kLine;
   if (line.axes == 0) return check_bare(machine, block, line.cut);
-  if (line.cut && state.feed.linear == 0) machine.complain(AlarmKind::kFeedMissing);
   const bool linear =
       machine.alters("rotary-feed-scaled"_fault, moves_straight(state.position, line.to), true);
-  line.feed.value = linear ? state.feed.linear : state.feed.rotary;
+  if (line.cut && state.feed_mode == FeedMode::kInverseTime) {
+    line.feed.value = timed(machine, block, line.to);
+  } else {
+    if (line.cut && state.feed.linear == 0) machine.complain(AlarmKind::kFeedMissing);
+    line.feed = feed_of(state);
+    if (!linear) line.feed.value = state.feed.rotary;
+  }
   plan.motion = line;
 }
 

@@ -35,6 +35,11 @@ class Machine : public Complaints<AlarmText>, public Faults {
   }
 };
 
+/// The feed in force, by G94 or G95.
+inline Feed feed_of(const State& state) {
+  return {state.feed.linear, state.feed_mode == FeedMode::kPerTurn};
+}
+
 /// In the order of gonogo_axis.
 inline constexpr char kAxisAddress[] = "XYZAC";
 inline constexpr AddressSet kAxisWords{"XYZAC"};
@@ -53,7 +58,7 @@ Fixed length_of(const Machine& machine, const Block& block, char address);
 /// `place`; complains about `address` and gives 0 when it is out of reach.
 Fixed reached(Machine& machine, const Block& block, Wide place, char address);
 
-/// Complains about numbers of words of the set that are too large to reckon with.
+/// Complains about numbers of words of the set that are too large to compute with.
 void check_sizes(Machine& machine, const Block& block, AddressSet words);
 
 }  // namespace gonogo::expanders::ngc

@@ -9,7 +9,7 @@ constexpr AddressSet kCentreWords{"IJK"};
 
 }  // namespace
 
-// NGC-MOD-01, NGC-CYC-01: in a fixed order, whatever that of the line.
+// NGC-MOD-01, NGC-CYC-01: in a fixed order, not in that of the line.
 void Interpreter::prepare(Plan& plan) {
   State& state = machine_.state;
   const int plane = state.plane;
@@ -17,6 +17,7 @@ void Interpreter::prepare(Plan& plan) {
   const bool feed_last = machine_.adds("feed-after-motion"_fault, block_.has('F'));
   if (!feed_last) take_feed();
   take_spindle();
+  take_saved(plan);
   if (block_.has_dwell()) prepare_dwell(machine_, block_, plan);
   take_modes();
   const int coming = state.plane;
@@ -37,18 +38,28 @@ void Interpreter::prepare(Plan& plan) {
   }
 }
 
+// NGC-FED-02
+void Interpreter::take_feed_mode() {
+  const Code* code = block_.code(Group::kFeedMode);
+  if (code == nullptr) return;
+  State& state = machine_.state;
+  const auto mode = static_cast<FeedMode>(code->tenths);
+  const bool changes = mode != state.feed_mode;
+  state.feed_mode = mode;
+  if (changes ? machine_.spares("feed-survives-its-mode"_fault)
+              : machine_.configuration.g94_ends_feed && !block_.has('F')) {
+    state.feed = {};
+  }
+}
+
 // F counts in the units of the block before: G20 and G21 act later.
 void Interpreter::take_feed() {
   const Configuration& configuration = machine_.configuration;
-  if (!block_.has('F')) {
-    const Code* mode = block_.code(Group::kFeedMode);
-    if (configuration.g94_ends_feed && mode != nullptr && mode->tenths == 940) {
-      machine_.state.feed = {};
-    }
-    return;
-  }
+  take_feed_mode();
+  if (!block_.has('F')) return;
   const Fixed written = block_.number('F').value;
   if (written < 0) return machine_.complain(AlarmKind::kValueSign, 'F', block_);
+  if (machine_.state.feed_mode == FeedMode::kInverseTime) return;
   const Code* units = block_.code(Group::kUnits);
   if (configuration.feed_in_new_units && units != nullptr) {
     machine_.state.inch = units->tenths == 200;
@@ -61,7 +72,32 @@ void Interpreter::take_spindle() {
   for (const FunctionWord& word : block_.functions()) {
     const Fixed m = word.number.value_or(0);
     if (m >= 3 && m <= 5) machine_.state.spindle = static_cast<int>(m);
+    if (m == 7 || m == 8) machine_.state.coolant |= static_cast<int>(m) - 6;
+    if (m == 9) machine_.state.coolant = 0;
   }
+}
+
+// NGC-SAV-01
+void Interpreter::take_saved(Plan& plan) {
+  State& state = machine_.state;
+  if (block_.has_function(70) || block_.has_function(73)) {
+    state.saved = state;
+    state.saved_spindle = state.spindle;
+    state.saved_coolant = state.coolant;
+  }
+  if (block_.has_function(71)) state.saved.reset();
+  if (!block_.has_function(72)) return;
+  if (!state.saved) return machine_.complain(AlarmKind::kMissingWord, 'M', kNowhere);
+  if (state.saved_spindle != state.spindle || state.saved_coolant != state.coolant) {
+    plan.outside = "M72 for a spindle or coolant";
+    return;
+  }
+  if (state.plane != state.saved->plane && !machine_.configuration.initial_is_number) {
+    state.in_series = false;
+  }
+  const FeedRate feed = state.feed;
+  static_cast<Modes&>(state) = *state.saved;
+  if (machine_.adds("feed-not-restored"_fault, feed != state.feed)) state.feed = feed;
 }
 
 void Interpreter::take_modes() {
@@ -73,6 +109,14 @@ void Interpreter::take_modes() {
     state.plane = plane;
   }
   if (const Code* code = block_.code(Group::kUnits)) state.inch = code->tenths == 200;
+  if (const Code* code = block_.code(Group::kLathe)) state.diameter = code->tenths == 70;
+  if (const Code* code = block_.code(Group::kSpindle)) {
+    state.surface_speed = code->tenths == 960;
+    // NGC-SPD-01
+    if (state.surface_speed && !block_.has('S')) {
+      machine_.complain(AlarmKind::kMissingWord, 'S', kNowhere);
+    }
+  }
 }
 
 void Interpreter::take_distance() {
@@ -165,6 +209,15 @@ bool Interpreter::lacks_axis() const {
   return straight && machine_.configuration.motion_needs_axis && !block_.has_any(kAxisWords);
 }
 
+// NGC-SPD-02
+void Interpreter::check_spindle() {
+  const State& state = machine_.state;
+  const bool cuts = state.motion == Motion::kLine || is_arc(state.motion) || is_cycle(state.motion);
+  if (cuts && state.surface_speed && state.spindle == 5) {
+    machine_.complain(AlarmKind::kSpindleStopped);
+  }
+}
+
 void Interpreter::prepare_motion(Plan& plan) {
   check_uses();
   plan.reaches_motion = !machine_.in_alarm() && !lacks_axis();
@@ -174,11 +227,21 @@ void Interpreter::prepare_motion(Plan& plan) {
       return;
     case Motion::kRapid:
     case Motion::kLine:
+      if (runs_motion()) check_spindle();
       return prepare_line(machine_, block_, plan);
     default:
       break;
   }
   if (!runs_motion()) return;
+  check_spindle();
+  if (is_arc(machine_.state.motion) && machine_.state.feed_mode == FeedMode::kInverseTime) {
+    if (block_.has('F')) {
+      plan.outside = "An arc under G93";
+    } else {
+      machine_.complain(AlarmKind::kFeedMissing);
+    }
+    return;
+  }
   switch (machine_.state.motion) {
     case Motion::kArcClockwise:
     case Motion::kArcCounterclockwise:

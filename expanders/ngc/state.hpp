@@ -45,6 +45,22 @@ struct FeedRate {
   bool operator==(const FeedRate&) const = default;
 };
 
+/// How F counts, by its code in tenths.
+enum class FeedMode : std::uint16_t { kInverseTime = 930, kPerMinute = 940, kPerTurn = 950 };
+
+/// What the words of later blocks mean, and what M70 and M73 put aside of it.
+struct Modes {
+  bool inch = false;
+  bool incremental = false;
+  bool absolute_centre = false;  // G90.1
+  bool diameter = false;         // G7
+  int plane = 17;
+  FeedRate feed;
+  FeedMode feed_mode = FeedMode::kPerMinute;
+  bool surface_speed = false;  // G96
+  bool to_initial = false;     // G98
+};
+
 /// What one block of a hole cycle hands to the next (NGC-CYC-03, 08).
 struct CycleStore {
   // Numbers as they were written; nothing: not yet.
@@ -67,27 +83,26 @@ struct Leftovers {
 };
 
 /// All that one block hands to the next.
-struct State {
+struct State : Modes {
   explicit State(const Configuration& configuration)
       : position(configuration.position),
-        inch(configuration.inch),
-        plane(configuration.plane),
-        feed{configuration.feed, configuration.feed},
         motion(configuration.motion < 0 ? Motion::kNone
                                         : static_cast<Motion>(configuration.motion * 10)),
-        to_initial(configuration.starts_with_g98 != 0),
-        spindle(configuration.spindle) {}
+        spindle(configuration.spindle) {
+    inch = configuration.inch;
+    plane = configuration.plane;
+    feed = {configuration.feed, configuration.feed};
+    to_initial = configuration.starts_with_g98 != 0;
+  }
 
   Point position;
-  bool inch;
-  bool incremental = false;
-  bool absolute_centre = false;  // G90.1
-  int plane;
-  FeedRate feed;
   Motion motion;
   bool first = true;  // the block before had another motion code in force
-  bool to_initial;    // G98
   int spindle;        // M3, M4 or M5
+  int coolant = 0;    // M7: 1, M8: 2
+  std::optional<Modes> saved;
+  int saved_spindle = 5;
+  int saved_coolant = 0;
   std::uint64_t line = 0;
 
   CycleStore cycle;

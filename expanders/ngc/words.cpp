@@ -13,7 +13,9 @@ Point commanded_point(Machine& machine, const Block& block, Axes& axes) {
     const char address = kAxisAddress[axis];
     if (!block.has(address)) continue;
     axes |= axis_bit(axis);
-    const Fixed length = length_of(machine, block, address);
+    Fixed length = length_of(machine, block, address);
+    // NGC-DIA-01
+    if (axis == GONOGO_X && machine.spares("x-never-halved"_fault, state.diameter)) length /= 2;
     const Fixed degrees = block.number(address).value;
     const bool linear = (kLinearAxes & axis_bit(axis)) != 0;
     Wide place = linear ? length : machine.alters("inch-rotary-scaled"_fault, degrees, length);

@@ -13,7 +13,7 @@ Address first_centre_word(const Block& block) {
   return Address::kPolarRadius;
 }
 
-// SIE-ARC-02: from the start, whatever G90 and G91 say; AC( ) from the workpiece zero.
+// SIE-ARC-02: from the start under G90 and G91 alike; AC( ) from the workpiece zero.
 Real centre_along(const Machine& machine, const Block& block, std::size_t axis) {
   const Address address = centre_address(axis);
   if (!block.has(address)) return 0;

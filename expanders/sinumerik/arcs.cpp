@@ -128,7 +128,7 @@ void take_end(const Machine& machine, const Target& target, Arc& arc) {
   arc.target = target;
   arc.chord = {target.to[arc.plane.p] - from[arc.plane.p],
                target.to[arc.plane.q] - from[arc.plane.q]};
-  // A place that was reckoned twice is the same place.
+  // A place that was computed twice is the same place.
   if (arc.chord.is_nothing()) arc.chord = {};
 }
 

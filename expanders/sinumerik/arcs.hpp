@@ -28,7 +28,7 @@ Real side_of_radius(const Vector& chord, Real radius);
 
 /// I J K, with an end point or for a full circle.
 void take_centre(Machine& machine, const Block& block, Arc& arc);
-/// I J K with AR: the end is reckoned.
+/// I J K with AR: the end is computed.
 void take_centre_and_angle(Machine& machine, const Block& block, Real angle, Arc& arc);
 /// AP and RP: the pole is the centre.
 void take_pole_circle(Machine& machine, const Block& block, Arc& arc);

@@ -24,7 +24,7 @@ bool is_axis(char letter) {
 
 }  // namespace
 
-/// Cuts a line into items, reckons their values and sorts them into the block. `;` ends the block;
+/// Cuts a line into items, computes their values and sorts them into the block. `;` ends the block;
 /// bytes beyond ASCII may stand in comments and strings only.
 class BlockReader {
  public:
@@ -288,7 +288,7 @@ Scan BlockReader::take(const Name& name, std::string_view text, const Value& val
       put_code(*name.code, text[0]);
       break;
     case NameKind::kPassedOver:
-      if (text.size() > 1) warn(std::string(text) + " is passed over.");
+      if (text.size() > 1) warn(std::string(text) + " is ignored.");
       break;
     case NameKind::kOutside:
       note_outside(text);

@@ -18,7 +18,7 @@ class Machine;
 struct Value {
   enum class Mode { kPlain, kAbsolute, kIncremental };  // as G90 or G91 say, AC( ), IC( )
   Decimal number;                                       ///< to the nearest count
-  Real counts = 0;                                      ///< as it was reckoned
+  Real counts = 0;                                      ///< as it was computed
   Mode mode = Mode::kPlain;
 };
 
@@ -28,7 +28,7 @@ struct FunctionWord {
   Position position = 0;
 };
 
-/// A rule that the block breaks whatever the state of the machine.
+/// A rule that the block breaks in any state of the machine.
 struct Defect {
   Position position = kNowhere;
   char letter = 0;

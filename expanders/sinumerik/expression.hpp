@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values behind `=`: the controller reckons in the longest real of its processor and puts lengths
+// Values behind `=`: the controller computes in the longest real of its processor and puts lengths
 // down in counts.
 #pragma once
 

@@ -5,7 +5,7 @@
 
 namespace gonogo::expanders::sinumerik {
 
-/// From the coordinates of the workpiece, in which everything is reckoned, to those of the machine,
+/// From the coordinates of the workpiece, in which everything is computed, to those of the machine,
 /// which are put out: a rotation in a plane about the workpiece zero, then a translation. All that
 /// leaves the controller goes through here. 840D has no programmable frames: both are the same.
 class Frame {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places, and what is reckoned between them: in counts, with what is left beside whole ones.
+// Places, and what is computed between them: in counts, with what is left beside whole ones.
 #pragma once
 
 #include <array>

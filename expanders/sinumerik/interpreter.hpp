@@ -6,7 +6,7 @@
 
 namespace gonogo::expanders::sinumerik {
 
-/// Reads a block and reckons its values, takes its words in the order of their action, checks,
+/// Reads a block and computes its values, takes its words in the order of their action, checks,
 /// moves.
 class Interpreter final : public expanders::Interpreter {
  public:

@@ -102,13 +102,13 @@ bool is_incremental(const State& state, Value::Mode mode);
 /// reach.
 Target target_of(Machine& machine, const Block& block);
 Target cartesian_target(Machine& machine, const Block& block);
-/// Complains about numbers that are too large to reckon with.
+/// Complains about numbers that are too large to compute with.
 void check_sizes(Machine& machine, const Block& block);
 /// The feed of a cut to `to`. Complains when there is none or the spindle stands.
 Feed cutting_feed(Machine& machine, const Place& to, bool curved);
 /// Complains about the words of `unwanted` that the block has.
 void refuse(Machine& machine, const Block& block, Addresses unwanted);
-/// Complains about TURN, but for one of 0.
+/// Complains about TURN, except one of 0.
 void refuse_rounds(Machine& machine, const Block& block);
 
 // In polar.cpp.

@@ -5,7 +5,7 @@
 namespace gonogo::expanders::sinumerik {
 namespace {
 
-// SIE-POL-02: absolute whatever G90 and G91 say. IC adds to the angle in force, but for a pole.
+// SIE-POL-02: absolute under G90 and G91 alike. IC adds to the angle in force, except a pole.
 void take_angle(Machine& machine, const Block& block, bool for_pole, Polar& polar) {
   const Value& value = block.value(Address::kPolarAngle);
   if (std::fabs(value.counts) > kFullTurn) {

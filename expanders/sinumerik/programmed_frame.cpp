@@ -44,7 +44,7 @@ void take_rotation(Machine& machine, const Block& block, bool adds, Frame& frame
   frame.turn_by(block.value(Address::kRotation).counts, machine.state.plane);
 }
 
-// SIE-FRM-04: the tool stays where it is; its place is reckoned anew.
+// SIE-FRM-04: the tool stays where it is; its place is computed anew.
 void put_frame(Machine& machine, const Frame& frame) {
   State& state = machine.state;
   const Place position = frame.to_workpiece(machine.frame.to_machine(state.position));

@@ -33,10 +33,10 @@ bool at_exponent(const char* cursor, const char* end);
 /// Whether what follows, up to a comment, is written in what the name of a program is.
 bool is_program_name(const char* cursor, const char* end);
 
-/// Passes over `LABEL:`, where one follows.
+/// Skips `LABEL:`, where one follows.
 void skip_label(const char*& cursor, const char* end);
 
-/// Passes over the arguments of a call; false when the brackets do not close.
+/// Skips the arguments of a call; false when the brackets do not close.
 bool skip_call(const char*& cursor, const char* end);
 
 }  // namespace gonogo::expanders::sinumerik

@@ -24,7 +24,7 @@ namespace {
 // How long a program of those that are learned from may take. The engine watches its own.
 constexpr unsigned kLearningSeconds = 10;
 
-// What is tried, and where it is told. One a process.
+// What is tried, and where it is reported. One a process.
 class FuzzSession {
  public:
   FuzzSession(const FuzzOptions& options, SharedPage& page)

@@ -16,8 +16,8 @@
 #include <thread>
 
 #include "fuzz/engine/engine_process.hpp"
-#include "oracle/corpus/files.hpp"
-#include "oracle/subject.hpp"
+#include "corpus/io/files.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::fuzz {
 namespace {

@@ -10,13 +10,14 @@
 #include <optional>
 #include <string>
 
-#include "hunt/hunt.hpp"
+#include "fuzz/hunt/hunt.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::fuzz {
 
 struct FuzzOptions {
   std::string subject;         // as of make_subject_here()
-  hunt::HuntOptions programs;  // their dialect, machine and settings, the seed, what is no news
+  hunt::HuntOptions programs;  // their dialect, machine and settings, the seed, what is known
   hunt::TrialOptions trial;
   oracle::StatedMachine stated;
   std::uint64_t most_programs = 0;  // 0: no limit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the engine's process leaves behind whatever it dies of: memory that its parent reads.
+// Memory that the engine's parent process still reads after the engine has died.
 #pragma once
 
 #include <array>

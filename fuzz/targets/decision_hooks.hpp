@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "generate/choices.hpp"
+#include "fuzz/generate/choices.hpp"
 
 namespace gonogo::fuzz {
 

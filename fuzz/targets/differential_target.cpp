@@ -10,8 +10,8 @@
 #include "fuzz/targets/sign_counters.hpp"
 #include "fuzz/targets/target.hpp"
 #include "fuzz/tried_subject.hpp"
-#include "generate/generator.hpp"
-#include "generate/program_report.hpp"
+#include "fuzz/generate/generator.hpp"
+#include "fuzz/generate/program_report.hpp"
 #include "oracle/differential/differential.hpp"
 #include "oracle/differential/domain.hpp"
 
@@ -99,7 +99,7 @@ generate::GeneratorSettings read_environment() {
   const auto settings =
       generate::read_settings(list == nullptr ? "" : list, generate::in_process_settings());
   if (settings) return *settings;
-  std::fprintf(stderr, "GONOGO_FUZZ_SETTINGS: write as in generate/generator_settings.hpp\n");
+  std::fprintf(stderr, "GONOGO_FUZZ_SETTINGS: write as in fuzz/generate/generator_settings.hpp\n");
   std::exit(2);
 }
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "fuzz/targets/target.hpp"
-#include "generate/choices.hpp"
+#include "fuzz/generate/choices.hpp"
 
 namespace gonogo::fuzz {
 

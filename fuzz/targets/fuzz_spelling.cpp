@@ -8,9 +8,9 @@
 
 #include "fuzz/targets/decision_hooks.hpp"
 #include "fuzz/targets/target.hpp"
-#include "generate/generator.hpp"
+#include "fuzz/generate/generator.hpp"
 #include "grammar/parser.hpp"
-#include "program/text.hpp"
+#include "fuzz/program/text.hpp"
 #include "reference/dialect.hpp"
 
 namespace {

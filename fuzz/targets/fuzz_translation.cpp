@@ -6,7 +6,7 @@
 #include "fuzz/targets/decision_hooks.hpp"
 #include "fuzz/targets/target.hpp"
 #include "oracle/differential/reference_run.hpp"
-#include "relations/trace.hpp"
+#include "fuzz/relations/trace.hpp"
 
 namespace {
 
@@ -14,7 +14,7 @@ using namespace gonogo;
 
 constexpr std::size_t kMostRecords = 3'000;
 
-// Enclosures of one place that come about in two ways cannot be told apart; nor need they be.
+// Enclosures of one place that come about in two ways cannot be distinguished; nor need they be.
 const reference::Number kTolerance = reference::Number::decimal(false, 1, 9);
 
 void check(const generate::GeneratedProgram& program) {

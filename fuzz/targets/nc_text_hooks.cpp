@@ -9,7 +9,7 @@
 
 #include "fuzz/targets/fixed_stream.hpp"
 #include "fuzz/targets/target.hpp"
-#include "program/mutator/program_mutator.hpp"
+#include "fuzz/program/mutator/program_mutator.hpp"
 
 // libFuzzer's own mutations, with its dictionary and what it saw compared. Other engines have none.
 extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,

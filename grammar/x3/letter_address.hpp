@@ -14,7 +14,7 @@
 // The grammar only knows that a maker's macro language is there: from where it begins a line
 // need only be free of bytes that no program has and close its comments and brackets.
 //
-// Every alternative is told by its first bytes, so nothing backtracks into the block. The names of
+// Its first bytes decide every alternative, so nothing backtracks into the block. The names of
 // the rules are the keys that diagnostics.cpp maps to codes.
 #pragma once
 

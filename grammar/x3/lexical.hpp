@@ -96,7 +96,7 @@ struct ManyOf : spirit::parser<ManyOf<set>> {
   }
 };
 
-// A decimal number; `sign` tells whether it may carry a sign and a point.
+// A decimal number; `sign`: whether it may carry a sign and a point.
 enum class NumberForm { decimal, whole };
 
 template <NumberForm form>

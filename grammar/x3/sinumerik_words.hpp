@@ -75,7 +75,7 @@ struct Arguments : Silent<Arguments> {
   }
 };
 
-// An outside construct has been noted: the rest of the line has been passed over.
+// An outside construct has been noted: the rest of the line has been skipped.
 struct Noted : Silent<Noted> {
   template <typename Context, typename RuleContext, typename Attribute>
   bool parse(Iterator&, const Iterator&, const Context& context, RuleContext&, Attribute&) const {

@@ -6,6 +6,7 @@ unit in force, with four decimals.
 """
 import collections
 import itertools
+import math
 import re
 from decimal import Decimal
 
@@ -43,6 +44,7 @@ class Calls:
         # Places are of the machine and in mm; calls give them less the sum of the offsets.
         self.at, self.slack = dict.fromkeys("xyzabc", Decimal(0)), Decimal(0)
         self.offsets = {}
+        self.turn = None  # cosine and sine of the angle by which X and Y are turned
         self.plane = PLANES["CANON_PLANE_XY"]
         self.lead = None  # of the path, while the spindle leads
         self.turning, self.exact_path = 5, False
@@ -74,6 +76,10 @@ class Calls:
 
     def set_g92_offset(self, *words):
         self._offset("g92", words)
+
+    def set_xy_rotation(self, degrees):
+        angle = math.radians(float(degrees))
+        self.turn = (Decimal(math.cos(angle)), Decimal(math.sin(angle))) if angle else None
 
     def use_tool_length_offset(self, *words):
         self._offset("tool", " ".join(words).split())  # LinuxCNC's come in threes
@@ -225,9 +231,16 @@ class Calls:
         return _told(self.at)
 
     def _place(self, axes, words):
-        return {axis: Decimal(word) * (self.scale if axis in "xyz" else 1)
-                + sum(offset.get(axis, 0) for offset in self.offsets.values())
-                for axis, word in zip(axes, words)}
+        place = {axis: Decimal(word) * (self.scale if axis in "xyz" else 1)
+                 + self.offsets.get("g92", {}).get(axis, 0) for axis, word in zip(axes, words)}
+        if self.turn:
+            if not {"x", "y"} <= place.keys():
+                raise Unsupported("A turned arc out of the plane XY has no place in a record.")
+            (cosine, sine), x, y = self.turn, place["x"], place["y"]
+            place["x"], place["y"] = x * cosine - y * sine, x * sine + y * cosine
+        others = [offset for name, offset in self.offsets.items() if name != "g92"]
+        return {axis: word + sum(offset.get(axis, 0) for offset in others)
+                for axis, word in place.items()}
 
 
 def _told(place):

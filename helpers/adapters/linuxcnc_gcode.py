@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT-0
 """LinuxCNC's interpreter through its Python module `gcode`, which gives full doubles and lines.
 
-It hands out inches, whatever the program's units. They are turned into millimetres exactly, as
+It hands out inches, also where the program has millimetres. They are turned into millimetres exactly, as
 fractions, so that no rounding is the adapter's.
 """
 import ctypes
+import math
 import os
 import pickle
 import sys
@@ -36,6 +37,7 @@ class Canon:
         self.feed = self.rotary_feed = feed
         self.inch, self.at, self.fault = False, (0, 0, 0), None
         self.offsets = {}  # inches and degrees, of six axes
+        self.turn = None  # cosine and sine of the angle by which X and Y are turned
 
     def __getattr__(self, name):
         # The interpreter calls back for spindles, coolant, comments and more: no motion, no record.
@@ -71,19 +73,32 @@ class Canon:
     def tool_offset(self, *place):
         self.offsets["tool"] = place[:6]
 
-    def _of_machine(self, axis, value):
-        """A coordinate of the program, in mm or degrees of the machine, without any rounding."""
-        i = "xyzabc".index(axis)
-        place = Fraction(value) + sum(Fraction(offset[i]) for offset in self.offsets.values())
-        return place * MM if axis in "xyz" else place
+    def set_xy_rotation(self, degrees):
+        angle = math.radians(degrees)
+        self.turn = (Fraction(math.cos(angle)), Fraction(math.sin(angle))) if angle else None
+
+    def _of_machine(self, place):
+        """A place of the program, in mm and degrees of the machine; nothing but a turn rounds."""
+        def moved(axis, value, names):
+            i = "xyzabc".index(axis)
+            return Fraction(value) + sum(Fraction(self.offsets[name][i]) for name in names)
+        others = self.offsets.keys() - {"g92"}
+        place = {axis: moved(axis, value, self.offsets.keys() & {"g92"})
+                 for axis, value in place.items()}
+        if self.turn:
+            if not {"x", "y"} <= place.keys():
+                self._fail(Unsupported("A turned arc out of the plane XY has no place in a record."))
+            (cosine, sine), x, y = self.turn, place["x"], place["y"]
+            place["x"], place["y"] = x * cosine - y * sine, x * sine + y * cosine
+        return {axis: moved(axis, value, others) * (MM if axis in "xyz" else 1)
+                for axis, value in place.items()}
 
     def _feeds(self, turns_only=False):
         return {"f": self.rotary_feed if turns_only else self.feed,
                 "fm": "rev" if self.per_turn else None}
 
     def _put(self, kind, to, others, **fields):
-        to = {axis: self._of_machine(axis, value)
-              for axis, value in {**to, **dict(zip("abc", others))}.items()}
+        to = self._of_machine({**to, **dict(zip("abc", others))})
         at, self.at = self.at, (to["x"], to["y"], to["z"])
         if not self.line:
             return  # the way to the profile's initial position
@@ -115,7 +130,7 @@ class Canon:
 
     def arc_feed(self, end1, end2, centre1, centre2, turn, axial, *others):
         plane, (first, second, third) = PLANES[self.plane]
-        centre = {first: self._of_machine(first, centre1), second: self._of_machine(second, centre2)}
+        centre = self._of_machine({first: centre1, second: centre2})
         self._put("arc", {first: end1, second: end2, third: axial}, others, plane=plane,
                   c=centre, rot=turn)
 

@@ -10,7 +10,8 @@ from rs274_profile import flat
 
 FEATURES = ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "turns", "lines", "g81", "g73",
             "g83", "g84", "g74", "g85", "g86", "cycle-modal", "cycle-steps", "cycle-planes", "offsets",
-            "parameters", "o-words", "rotary", "linuxcnc"]
+            "parameters", "o-words", "rotary", "feed-modes", "local-offsets", "subprograms",
+            "linuxcnc"]
 THREADS = ["g33", "g33.1", "g76"]
 
 # Only what is certain. A message that is not here goes out without a class, for the alarm map.

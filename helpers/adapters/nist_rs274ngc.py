@@ -36,7 +36,7 @@ class NistCalls(Calls):
 
     def _go(self, axes, words, rotary):
         if len(rotary) == 2:
-            raise Unsupported("Of two rotary axes it does not say which they are.")
+            raise Unsupported("It does not say which two rotary axes it has.")
         return super()._go(axes, words, [*rotary, "0", "0", "0"][:3])
 
 

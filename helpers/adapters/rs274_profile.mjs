@@ -21,7 +21,7 @@ const kHarmless = {
 for (const word of ['x', 'y', 'z', 'a', 'c', 'f']) kHarmless[`initial.${word}`] = isZero;
 
 function harmless(key) {
-  if (key.startsWith('readings.')) return (value) => value === 'any';  // whatever it does is right
+  if (key.startsWith('readings.')) return (value) => value === 'any';  // anything it does is right
   return key.startsWith('offsets.') ? isZero : null;
 }
 

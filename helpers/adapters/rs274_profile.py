@@ -49,7 +49,7 @@ _HARMLESS = {
 
 def _harmless(key):
     if key.startswith("readings."):
-        return one_of("any")  # whatever it does is right
+        return one_of("any")  # anything it does is right
     return _zero if key.startswith("offsets.") else None
 
 

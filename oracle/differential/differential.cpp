@@ -10,7 +10,7 @@ namespace gonogo::oracle {
 std::optional<oracle::Verdict> run_and_judge(oracle::Subject& subject,
                                              const reference::Profile& profile,
                                              std::string_view program, std::size_t most_records) {
-  oracle::JudgeTerms terms = make_terms(subject.info(), profile, std::nullopt, std::nullopt);
+  oracle::Tolerances terms = make_tolerances(subject.info(), profile, std::nullopt, std::nullopt);
   terms.strict = true;  // two readings of our own agree where no text says anything, too
   oracle::JudgeSession session(profile, program, terms);
   subject.configure(profile);

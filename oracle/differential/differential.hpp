@@ -7,11 +7,12 @@
 #include <optional>
 #include <string_view>
 
+#include "oracle/differential/subject.hpp"
 #include "oracle/judge/judge_session.hpp"
 
 namespace gonogo::oracle {
 
-// Runs the program and judges it on the subject's own terms. Nothing where the subject sends more
+// Runs the program and judges it as the subject declares. Nothing where the subject sends more
 // than `most_records` and all of them agree so far: such a program costs more than it can show.
 std::optional<oracle::Verdict> run_and_judge(oracle::Subject& subject,
                                              const reference::Profile& profile,

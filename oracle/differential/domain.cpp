@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "oracle/judge/approximate.hpp"
-#include "oracle/judge/program_input.hpp"
+#include "oracle/motion/approximate.hpp"
+#include "oracle/steps/program_input.hpp"
 #include "reference/expander.hpp"
 #include "reference/predicate.hpp"
 

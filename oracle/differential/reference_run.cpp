@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/differential/reference_run.hpp"
 
-#include "oracle/judge/program_input.hpp"
+#include "oracle/steps/program_input.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
@@ -39,7 +39,7 @@ oracle::Verdict judge_reference(const reference::Profile& profile, std::string_v
                                 const ReferenceRun& run) {
   oracle::SubjectInfo subject;
   subject.features = {"blocks", "m"};
-  oracle::JudgeTerms terms = make_terms(subject, profile, std::nullopt, std::nullopt);
+  oracle::Tolerances terms = make_tolerances(subject, profile, std::nullopt, std::nullopt);
   terms.strict = true;  // the reference departs from nothing of its own
   return judge_outcome(profile, program, terms, run.records, run.end).verdict;
 }

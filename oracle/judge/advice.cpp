@@ -4,7 +4,7 @@
 namespace gonogo::oracle {
 
 // J-ALM-01
-Verdict advised(Verdict departure, const JudgeTerms& terms) {
+Verdict advised(Verdict departure, const Tolerances& terms) {
   if (terms.strict || !reference::is_silent(departure.clause)) return departure;
   departure.departure = departure.kind;
   departure.kind = VerdictKind::advice;

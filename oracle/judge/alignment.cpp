@@ -4,10 +4,11 @@
 #include <algorithm>
 
 #include "oracle/judge/advice.hpp"
-#include "oracle/judge/curve_follower.hpp"
+#include "oracle/motion/curve_follower.hpp"
 #include "oracle/judge/mismatch.hpp"
-#include "oracle/judge/places.hpp"
-#include "oracle/judge/step_text.hpp"
+#include "oracle/motion/places.hpp"
+#include "oracle/steps/step_text.hpp"
+#include "reference/silent_end.hpp"
 
 namespace gonogo::oracle {
 
@@ -15,7 +16,7 @@ using reference::AlarmReport;
 using reference::NotCovered;
 using reference::Renaming;
 
-Alignment::Alignment(ReferenceSteps& steps, const Position& start, const JudgeTerms& terms,
+Alignment::Alignment(ReferenceSteps& steps, const Position& start, const Tolerances& terms,
                      OpenStepMemory& memory)
     : steps_(steps), terms_(terms), memory_(memory), hypotheses_(1) {
   hypotheses_.front().at = hypotheses_.front().anchor = start;
@@ -59,7 +60,7 @@ bool Alignment::settle() {
   return settle();
 }
 
-// A hypothesis that is given up for a doubt may be right, until all others are past its step.
+// A hypothesis that is given up undecided may be right, until all others are past its step.
 bool Alignment::finish(std::vector<Hypothesis> reached) {
   if (reached.size() > kMostHypotheses) {
     doubt(reached.front().step,
@@ -122,7 +123,7 @@ void Alignment::keep(Hypothesis hypothesis, std::vector<Hypothesis>& reached) {
   reached.push_back(std::move(hypothesis));
 }
 
-// R3: the motion leads nowhere.
+// R3: the motion is negligible.
 void Alignment::stay(Hypothesis from, const Motion& motion, Stage& stage) {
   from.at = motion.to();
   keep(std::move(from), stage.reached);
@@ -134,7 +135,7 @@ void Alignment::walk(Hypothesis from, Motion motion, Stage& stage) {
     if (stage.branches && from.is_fresh() && !stage.seen.insert(from.step).second) return;
     if (is_small && passed > kMostHypotheses) return;
     if (passes_too_many(from, passed)) return;
-    // A way that cannot be told is given up; what was found before it stands.
+    // A way that cannot be decided is given up; what was found before it stands.
     const std::size_t here = from.step;
     try {
       if (!meet(from, motion, stage)) return;
@@ -170,10 +171,17 @@ void Alignment::meet_outside(Hypothesis from, const Motion& motion, const NotCov
 }
 
 // R3: it keeps to where the reference stands, and to where the subject's last motion that led
-// anywhere ended.
+// anywhere ended, or goes on from there.
 bool Alignment::leads_nowhere(const Hypothesis& from, const Motion& motion,
                               const Position& place) const {
-  return stays_at(place, motion, terms_) && stays_at(from.anchor, motion, terms_);
+  return stays_at(place, motion, terms_) &&
+         (stays_at(from.anchor, motion, terms_) || (from.is_fresh() && ends_left(from, motion)));
+}
+
+// R1. A piece before it came within the tolerance of the end; this one may end beyond it.
+bool Alignment::ends_left(const Hypothesis& from, const Motion& motion) const {
+  return from.left && stays_at(from.left->motion().to(), motion, terms_) &&
+         !from.left->follow(from.left_progress, motion).departs();
 }
 
 bool Alignment::can_pass(const Hypothesis& from, const Motion& want) const {
@@ -184,8 +192,8 @@ void Alignment::leave_motion(Hypothesis& from) {
   from.passed = steps_.at(from.step + from.joined).item;
   from.step += from.joined + 1;
   from.joined = 0;
-  from.curve.reset();
-  from.progress = {};
+  from.left = std::exchange(from.curve, nullptr);
+  from.left_progress = std::exchange(from.progress, {});
   from.piece.reset();
 }
 
@@ -205,7 +213,7 @@ bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
                                  "A motion of the subject spans a renaming of the position."));
     return false;
   }
-  from.at = motion.from;  // what leads nowhere may have been passed over before it
+  from.at = motion.from;  // negligible motions may have been omitted before it
   shift(from.at, renaming.shift);
   shift(from.anchor, renaming.shift);
   motion.from = from.at;

@@ -3,8 +3,8 @@
 // Which motions of the subject are which steps of the reference (docs/judging.md, R3,
 // R1). A hypothesis says how far the subject has come: at which step,
 // how far along it. A motion may be a piece of the step, be the end of it, go on from it into the
-// next where the two are one line or circle, lead nowhere, or stand behind steps too small to see,
-// which the subject passes over. What no hypothesis explains is a NO-GO, told from the one that
+// next where the two are one line or circle, be negligible, or stand behind steps too small to
+// see, which the subject omits. What no hypothesis explains is a NO-GO, described by the one that
 // came farthest.
 #pragma once
 
@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/judge/open_step.hpp"
-#include "oracle/judge/reference_steps.hpp"
+#include "oracle/open/open_step.hpp"
+#include "oracle/steps/reference_steps.hpp"
 #include "oracle/records/rounding_census.hpp"
 #include "oracle/region/constants.hpp"
 
@@ -26,15 +26,18 @@ namespace gonogo::oracle {
 struct Hypothesis {
   std::size_t step = 0;
   Position at;      // where the subject stands, as the step names it
-  Position anchor;  // where its last motion that led anywhere ended
+  Position anchor;  // where its last motion ended that was not negligible
 
   // For a step that is a motion, once it has begun; it may be joined with steps behind it.
   std::shared_ptr<const Curve> curve;
   std::size_t joined = 0;
   CurveProgress progress;
   std::optional<Motion> piece;  // the last that was taken of it
+  // The motion before the step, and how far along it the subject had come before its last piece.
+  std::shared_ptr<const Curve> left;
+  CurveProgress left_progress;
 
-  // For a step whose path is open. `waiting`: its next motion, which what follows may go on.
+  // For a step whose path is open. `waiting`: its next motion, which others may continue.
   std::shared_ptr<OpenStep> open;
   std::optional<Motion> waiting;
 
@@ -46,10 +49,9 @@ struct Hypothesis {
   bool rounded = true;  // ... or correctly rounded
   RoundingCensus coordinates;
   std::size_t property_motions = 0;
-  std::optional<Verdict>
-      instead;  // of a pass: an advice or a gap, the first that it went on behind
+  std::optional<Verdict> instead;  // of a pass: the first advice or gap behind which it continued
 
-  // Whether nothing of its step has been seen.
+  // Whether its step has not begun.
   bool is_fresh() const { return !curve && !open; }
 };
 
@@ -79,7 +81,7 @@ struct Forgiven {
 class Alignment {
  public:
   // All must outlive it.
-  Alignment(ReferenceSteps& steps, const Position& start, const JudgeTerms& terms,
+  Alignment(ReferenceSteps& steps, const Position& start, const Tolerances& terms,
             OpenStepMemory& memory);
 
   // The subject's next motion, or dwell. False: no hypothesis explains it (see `refutation`).
@@ -95,13 +97,13 @@ class Alignment {
   std::vector<Hypothesis>& hypotheses() { return hypotheses_; }
   // The first step that may not have been passed yet.
   std::size_t first_step() const;
-  // Where no hypothesis is left: that the gauge cannot tell, or why the one that came farthest is
+  // Where no hypothesis is left: that the gauge cannot decide, or why the one that came farthest is
   // none.
   const std::optional<Verdict>& gap() const { return gap_; }
   Refutation& refutation() { return *farthest_; }
   Forgiven take_forgiven() { return std::exchange(forgiven_, {}); }
 
-  // Nothing waits any more, at the end of the subject's motions. False: no hypothesis is left.
+  // At the end of the subject's motions: nothing waits any more. False: no hypothesis is left.
   bool settle();
   // Goes past what the subject need not show where it stands: a motion too small to see, a path
   // that may end, a renaming.
@@ -123,10 +125,10 @@ class Alignment {
   static constexpr const char* kTooManySmall =
       "More than 100,000 motions in a row are too small to see.";
 
-  // What comes of one record.
+  // What one record leads to.
   struct Stage {
     std::vector<Hypothesis> reached;
-    std::unordered_set<std::size_t> seen;  // steps that were come to fresh
+    std::unordered_set<std::size_t> seen;  // steps that were reached before they began
     bool branches = false;                 // from several hypotheses
   };
 
@@ -169,8 +171,8 @@ class Alignment {
   void meet_open_step(Hypothesis from, Motion motion, Stage& stage);
   void meet_behind_open_step(Hypothesis from, const Motion& motion, Stage& stage);
   void begin_open_step(Hypothesis& from);
-  // The motion that waits goes to its step. Where it ends there, or goes beyond, `from` is used up,
-  // and `reached` is what comes of it.
+  // The waiting motion goes to its step. Where it ends there, or goes beyond, `from` is used up,
+  // and `reached` is the result.
   bool take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached);
   bool leave_open_step(Hypothesis& from, const Position& here);
   bool meet_renaming(Hypothesis& from, Motion& motion, Stage& stage);
@@ -182,6 +184,8 @@ class Alignment {
   bool meet_dwell(Hypothesis& from, const Record& record, std::size_t number);
 
   bool leads_nowhere(const Hypothesis& from, const Motion& motion, const Position& place) const;
+  // Whether it is one more piece of the motion that the subject has left.
+  bool ends_left(const Hypothesis& from, const Motion& motion) const;
   bool can_pass(const Hypothesis& from, const Motion& want) const;
   void leave_motion(Hypothesis& from);
   static void keep(Hypothesis hypothesis, std::vector<Hypothesis>& reached);
@@ -199,11 +203,11 @@ class Alignment {
   }
 
   ReferenceSteps& steps_;
-  const JudgeTerms& terms_;
+  const Tolerances& terms_;
   OpenStepMemory& memory_;
   std::vector<Hypothesis> hypotheses_;
   std::optional<Refutation> farthest_;
-  // For a hypothesis that may be right as far as can be told, and the step where it was given up.
+  // For a hypothesis that may be right as far as is known, and the step where it was given up.
   std::optional<Verdict> gap_;
   std::size_t gap_step_ = 0;
   Forgiven forgiven_;

@@ -8,7 +8,7 @@
 
 #include "oracle/judge/alignment.hpp"
 #include "oracle/judge/mismatch.hpp"
-#include "oracle/judge/step_text.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 
@@ -31,7 +31,7 @@ bool Alignment::is_told(const DueMFunction& due, const Record& record) const {
 }
 
 // R5. Those of both sides are partners in their order, so that the subject's next one is the
-// reference's next whichever way its motions are read; what hangs on that is whether it may come
+// reference's next whichever way its motions are read; what depends on that is whether it may come
 // where the subject stands.
 Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_t number) {
   if (!settle()) return MFunction::departs;
@@ -48,7 +48,7 @@ Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_
   return is_taken ? MFunction::taken : MFunction::of_alarm;
 }
 
-// Where it is due, or passed over and may come behind, or may come early; past what the subject
+// Where it is due, or was omitted and may come behind, or may come early; past what the subject
 // need not show.
 Alignment::MFunction Alignment::meet_m_function(Hypothesis& from, const Record& record,
                                                 std::size_t number) {

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "oracle/judge/curve_follower.hpp"
+#include "oracle/motion/curve_follower.hpp"
 #include "oracle/judge/mismatch.hpp"
-#include "oracle/judge/places.hpp"
-#include "oracle/judge/step_text.hpp"
+#include "oracle/motion/places.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 
@@ -36,7 +36,7 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   if (!from.curve) from.curve = steps_.curve_of(step);
   CurveAnswer answer = from.curve->follow(from.progress, motion);
   if (answer.departs()) extend(from, motion, answer);
-  // R3. What may lead nowhere is no piece of a line.
+  // R3. What may be negligible is no piece of a line.
   const bool is_arc = is_round(from.curve->motion().record.kind);
   const bool departs = answer.departs();
   const bool is_between_pieces =
@@ -197,7 +197,7 @@ bool Alignment::leads_into_open_step(const Hypothesis& from, const Motion& motio
   return true;
 }
 
-// R7. The centre that a control works out itself, within twice the tolerance of the right
+// R7. The centre that a control computes itself, within twice the tolerance of the right
 // one: what follows is judged, for the arc ends where it should.
 bool Alignment::takes_coarse_centre(const Hypothesis& from, const Motion& motion,
                                     const CurveAnswer& answer, Stage& stage) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Alignment's part for steps whose path is open, and for what is passed over where the subject
+// Alignment's part for steps whose path is open, and for what is omitted where the subject
 // stands.
 #include "oracle/judge/alignment.hpp"
 
 #include "oracle/judge/mismatch.hpp"
-#include "oracle/judge/places.hpp"
-#include "oracle/judge/step_text.hpp"
+#include "oracle/motion/places.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 
@@ -28,8 +28,9 @@ void Alignment::meet_open_step(Hypothesis from, Motion motion, Stage& stage) {
   const bool is_begun = from.open != nullptr;
   if (!is_begun) begin_open_step(from);
   const bool is_earlier = terms_.compare_blocks && motion.record.block < block_of(step.what);
-  const bool is_small = motion.record.kind != RecordKind::arc &&
-                        stays_at(from.anchor, motion, terms_) && !from.open->sees(motion);
+  const bool stays =
+      stays_at(from.anchor, motion, terms_) || (!is_begun && ends_left(from, motion));
+  const bool is_small = motion.record.kind != RecordKind::arc && stays && !from.open->sees(motion);
   const bool is_before =
       (is_earlier || from.open->is_before(motion)) && stays_at(step.place, motion, terms_);
   const bool may_be_behind = is_small && from.open->may_be_left_by(motion);
@@ -82,7 +83,7 @@ bool Alignment::take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached)
     return false;
   }
   const bool is_ended = answer.kind == OpenStepAnswer::Kind::ended;
-  // J-CMP-09: a motion counts where an open step has taken it, or its first part.
+  // J-CMP-09: a motion counts where a free step has taken it, or its first part.
   if (!is_ended || !agree(answer.here, motion.from, terms_.tolerance)) ++from.property_motions;
   if (!is_ended) {
     if (answer.cost == OpenStepAnswer::Cost::free) ++forgiven_.records;

@@ -3,7 +3,7 @@
 // Alignment's part for dwells.
 #include "oracle/judge/alignment.hpp"
 #include "oracle/judge/mismatch.hpp"
-#include "oracle/judge/step_text.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 

@@ -4,7 +4,7 @@
 // Lengths of arcs and of slanting lines are enclosed, never rounded.
 #pragma once
 
-#include "oracle/judge/motion.hpp"
+#include "oracle/motion/motion.hpp"
 
 namespace gonogo::oracle {
 

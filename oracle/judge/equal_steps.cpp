@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ProgramJudge's filter before everything that it does with motions. While the subject's records
-// are the reference's own, and none is so small that it could lead nowhere, each of them is the
+// are the reference's own, and none is so small that it could be negligible, each of them is the
 // whole of a step by every rule: it is enough to compare the records. The first that is anything
 // else goes the whole way.
-#include "oracle/judge/plain_line.hpp"
+#include "oracle/motion/plain_line.hpp"
 #include "oracle/judge/program_judge.hpp"
 
 namespace gonogo::oracle {

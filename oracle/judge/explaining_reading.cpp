@@ -22,12 +22,13 @@ reference::Profile with(const reference::Profile& profile, ReadingKey key, std::
 
 // An alternative may lead to blocks that another one alarms before.
 std::set<ReadingKey> touched_under_any(const reference::Profile& profile,
-                                       const ProgramText& program) {
+                                       const ProgramText& program, std::size_t most_items) {
   std::set<ReadingKey> touched;
-  for (const reference::ReadingChoice& choice : assignments_of(profile, program).choices) {
+  for (const reference::ReadingChoice& choice :
+       assignments_of(profile, program, most_items).choices) {
     reference::Profile assigned = profile;
     assigned.readings = choice;
-    const std::vector<ReadingKey> keys = touched_by(assigned, program);
+    const std::vector<ReadingKey> keys = touched_by(assigned, program, most_items);
     touched.insert(keys.begin(), keys.end());
   }
   return touched;
@@ -48,14 +49,17 @@ std::vector<std::string_view> other_values(const reference::Profile& profile,
 }  // namespace
 
 std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
-                               const JudgeTerms& terms, const RecordSeries& records,
+                               const Tolerances& terms, const RecordSeries& records,
                                const RunEnd& end, std::size_t most_records) {
+  // A program that goes on far beyond what the subject sent is looked at as far as that.
+  const std::size_t most_items = kMostTimes * records.size() + kMostIdle;
   std::size_t cost = 0;
-  for (const ReadingKey key : touched_under_any(profile, program)) {
+  for (const ReadingKey key : touched_under_any(profile, program, most_items)) {
     const Reading& reading = reference::reading(key);
     for (const std::string_view value : other_values(profile, reading)) {
       const reference::Profile other = with(profile, key, value);
-      cost += assignments_of(other, program).choices.size() * (records.size() + kExpansion);
+      cost +=
+          assignments_of(other, program, most_items).choices.size() * (records.size() + kExpansion);
       if (cost > most_records) return {};
       const SessionVerdict session = judge_outcome(other, program, terms, records, end);
       if (decision(session.verdict.kind) == Decision::go) {
@@ -67,7 +71,7 @@ std::string explaining_reading(const reference::Profile& profile, const ProgramT
 }
 
 std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
-                               const JudgeTerms& terms, std::span<const Record> records,
+                               const Tolerances& terms, std::span<const Record> records,
                                const RunEnd& end, std::size_t most_records) {
   return explaining_reading(profile, program, terms, RecordsInMemory(records), end, most_records);
 }

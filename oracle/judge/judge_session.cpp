@@ -17,30 +17,36 @@ using reference::ReadingKey;
 
 namespace {
 
-// How far the subject stands from the ends of the first traverses of its block that carry the
-// reading's clause, along their axis. `block` 0: not known.
-std::vector<Number> lengths_between(const Profile& profile, const ProgramText& program,
-                                    reference::ClauseId clause, std::uint64_t block,
-                                    const Position& subject) {
-  std::vector<Number> lengths;
+// The first traverses of a block that carry the clause. `block` 0: not known.
+std::vector<Record> traverses_of(const Profile& profile, const ProgramText& program,
+                                 reference::ClauseId clause, std::uint64_t block) {
+  std::vector<Record> traverses;
   ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
   try {
-    for (std::size_t items = 0; items < kMostItems && lengths.size() < kMostLengths; ++items) {
+    for (std::size_t items = 0; items < kMostItems && traverses.size() < kMostLengths; ++items) {
       const reference::Item* item = expander.next();
       if (item == nullptr) break;
       const auto* record = std::get_if<Record>(item);
       if (record == nullptr || record->block < block) continue;
       if (block != 0 && record->block > block) break;
-      if (record->clause != clause || record->kind != reference::RecordKind::rapid) continue;
-      for (const reference::Axis axis : reference::kLinearAxes) {
-        if (!record->axes.has(axis)) continue;
-        const Number length = exact::abs(subject[axis] - record->to[axis]);
-        if (length.is_rational()) lengths.push_back(length);
+      if (record->clause == clause && record->kind == reference::RecordKind::rapid) {
+        traverses.push_back(*record);
       }
     }
   } catch (const exact::Undecided&) {
-    // As far as it can be told.
+    // As far as it is known.
+  }
+  return traverses;
+}
+
+// How far the subject stands from the end of the traverse, along its axes.
+std::vector<Number> lengths_between(const Record& traverse, const Position& subject) {
+  std::vector<Number> lengths;
+  for (const reference::Axis axis : reference::kLinearAxes) {
+    if (!traverse.axes.has(axis)) continue;
+    const Number length = exact::abs(subject[axis] - traverse.to[axis]);
+    if (length.is_rational() && length.sign() != 0) lengths.push_back(length);
   }
   return lengths;
 }
@@ -48,7 +54,7 @@ std::vector<Number> lengths_between(const Profile& profile, const ProgramText& p
 }  // namespace
 
 struct JudgeSession::Fork {
-  Fork(const Profile& its, const ProgramText& program, const JudgeTerms& terms,
+  Fork(const Profile& its, const ProgramText& program, const Tolerances& terms,
        AssignmentSet its_set, Forking forking)
       : set(std::move(its_set)),
         profile(std::make_shared<const Profile>(with_readings(its, set.taken()))),
@@ -59,7 +65,7 @@ struct JudgeSession::Fork {
 };
 
 JudgeSession::JudgeSession(const Profile& profile, const ProgramText& program,
-                           const JudgeTerms& terms, Forking forking)
+                           const Tolerances& terms, Forking forking)
     : profile_(profile),
       program_(program),
       terms_(terms),
@@ -120,18 +126,24 @@ void JudgeSession::bury(Fork& fork) {
 // J-READ-02: an open length is what the subject shows of it where it departs.
 void JudgeSession::try_lengths(const Fork& fork) {
   for (const ReadingKey key : open_lengths(fork.set, fork.judge.readings())) {
-    const reference::ClauseId clause = reference::reading(key).clause;
+    const auto traverses =
+        traverses_of(*fork.profile, program_, reference::reading(key).clause, last_block_);
     for (const Position& shown : {stood_, stands_}) {
-      for (const Number& length :
-           lengths_between(*fork.profile, program_, clause, last_block_, shown)) {
-        if (lengths_.size() == kMostLengths || length.sign() == 0) continue;
-        const auto [text, is_new] = lengths_.insert(length.text());
-        if (!is_new) continue;
-        open_.insert(key);
-        add_fork(fork.set.with(key, *text));
+      for (const Record& traverse : traverses) {
+        for (const Number& length : lengths_between(traverse, shown)) {
+          try_length(fork, key, length);
+        }
       }
     }
   }
+}
+
+void JudgeSession::try_length(const Fork& fork, ReadingKey key, const Number& length) {
+  if (lengths_.size() == kMostLengths) return;
+  const auto [text, is_new] = lengths_.insert(length.text());
+  if (!is_new) return;
+  open_.insert(key);
+  add_fork(fork.set.with(key, *text));
 }
 
 // Keeps what came farther; else what took more records; else what came first.
@@ -311,7 +323,7 @@ void RecordsInMemory::each(const std::function<bool(const Record&)>& take) const
 }
 
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
-                             const JudgeTerms& terms, const RecordSeries& records,
+                             const Tolerances& terms, const RecordSeries& records,
                              const RunEnd& end) {
   JudgeSession session(profile, program, terms);
   records.each([&](const Record& record) { return session.record(record); });
@@ -319,7 +331,7 @@ SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramTex
 }
 
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
-                             const JudgeTerms& terms, std::span<const Record> records,
+                             const Tolerances& terms, std::span<const Record> records,
                              const RunEnd& end) {
   return judge_outcome(profile, program, terms, RecordsInMemory(records), end);
 }

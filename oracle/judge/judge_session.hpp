@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One program against one subject under every admissible assignment of readings.
+// One program against one subject under every admissible combination of readings.
 #pragma once
 
 #include <functional>
@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/judge/different_assignments.hpp"
+#include "oracle/steps/different_assignments.hpp"
 #include "oracle/judge/program_judge.hpp"
-#include "oracle/judge/record_log.hpp"
+#include "oracle/steps/record_log.hpp"
 #include "oracle/judge/sampled_outcome.hpp"
 #include "oracle/region/constants.hpp"
 
@@ -51,7 +51,7 @@ class JudgeSession {
  public:
   // `profile` may say "any"; `profile`, `program` and `terms` must outlive the session.
   JudgeSession(const reference::Profile& profile, const ProgramText& program,
-               const JudgeTerms& terms, Forking forking = Forking::when_different);
+               const Tolerances& terms, Forking forking = Forking::when_different);
   ~JudgeSession();
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
@@ -72,6 +72,7 @@ class JudgeSession {
   void stop_forking();
   void bury(Fork& fork);
   void try_lengths(const Fork& fork);
+  void try_length(const Fork& fork, reference::ReadingKey key, const Number& length);
   void consider(SampledVerdict said);
   void finish_forks(const RunEnd& end);
   void finish_sampled(const SampledOutcome& sampled, const RunEnd& end);
@@ -80,7 +81,7 @@ class JudgeSession {
 
   const reference::Profile& profile_;
   ProgramText program_;
-  const JudgeTerms& terms_;
+  const Tolerances& terms_;
   const Forking forking_;
   std::vector<std::unique_ptr<Fork>> alive_;
   // What they have taken, while others may have to take it, too.
@@ -93,7 +94,7 @@ class JudgeSession {
   std::size_t most_others_ = 0;                       // that one fork looked at to the last
   std::set<std::string, std::less<>> lengths_;  // that were tried of readings that are lengths
   std::uint64_t last_block_ = 0;                // of the subject's last record
-  Position stood_;                              // before it, but for renamings
+  Position stood_;                              // before it, except renamings
   Position stands_;                             // behind it
   bool too_many_ = false;
 };
@@ -105,10 +106,10 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other);
 
 // Judges a recorded outcome.
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
-                             const JudgeTerms& terms, const RecordSeries& records,
+                             const Tolerances& terms, const RecordSeries& records,
                              const RunEnd& end);
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
-                             const JudgeTerms& terms, std::span<const Record> records,
+                             const Tolerances& terms, std::span<const Record> records,
                              const RunEnd& end);
 
 // In explaining_reading.cpp. For a NO-GO: "k=v" of the first other reading under which the outcome
@@ -116,10 +117,10 @@ SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramTex
 // that are open already have been. Gives up, with "", where it would judge more records than that
 // (each assignment counting for 1,000 more).
 std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
-                               const JudgeTerms& terms, const RecordSeries& records,
+                               const Tolerances& terms, const RecordSeries& records,
                                const RunEnd& end, std::size_t most_records = kMostRecordsAgain);
 std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
-                               const JudgeTerms& terms, std::span<const Record> records,
+                               const Tolerances& terms, std::span<const Record> records,
                                const RunEnd& end, std::size_t most_records = kMostRecordsAgain);
 
 }  // namespace gonogo::oracle

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "oracle/judge/advice.hpp"
-#include "oracle/judge/labels.hpp"
-#include "oracle/judge/places.hpp"
-#include "oracle/judge/step_text.hpp"
+#include "oracle/motion/labels.hpp"
+#include "oracle/motion/places.hpp"
+#include "oracle/steps/step_text.hpp"
 #include "oracle/judge/unit_error.hpp"
 #include "reference/compared.hpp"
 
@@ -25,13 +25,8 @@ Verdict not_covered_verdict(const reference::NotCovered& outside) {
 }
 
 // R9.
-Verdict undecided_verdict(const exact::Undecided& undecided) {
-  return gap_verdict(GapReason::comparison,
-                     fmt::format("A comparison could not be decided: {}.", undecided.what()));
-}
-
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
-                                            const Motion& want, const JudgeTerms& terms) {
+                                            const Motion& want, const Tolerances& terms) {
   if (want.record.centre_clause == reference::kNoClause || !answer.centre) return std::nullopt;
   // R7: the silence is about the centre, and excuses no feed and no turn.
   if (motion.record.rot != want.record.rot || !feeds_agree(want.record, motion.record, terms)) {
@@ -59,7 +54,7 @@ namespace {
 
 // J-CMP-12: whether the motion is one that the reference makes later on, from step `number`.
 bool fits_later(const Motion& motion, std::size_t number, ReferenceSteps& steps,
-                const JudgeTerms& terms) {
+                const Tolerances& terms) {
   if (agree(motion.from, motion.to(), terms.tolerance)) return false;
   for (std::size_t i = number; i < number + kLookAhead; ++i) {
     const ReferenceSteps::Step& step = steps.at(i);
@@ -72,7 +67,7 @@ bool fits_later(const Motion& motion, std::size_t number, ReferenceSteps& steps,
   return false;
 }
 
-// The axes of a witness: whatever it leaves out is where the motion ends.
+// The axes of a witness: those that it leaves out are where the motion ends.
 AxisSet axes_shown(const Position& at, const Motion& motion, const Motion& want) {
   AxisSet axes = moved_axes(motion, 0) | moved_axes(want, 0);
   for (Axis axis : kAllAxes) {
@@ -81,7 +76,7 @@ AxisSet axes_shown(const Position& at, const Motion& motion, const Motion& want)
   return axes;
 }
 
-// How far a motion is off. Where rotary axes alone are, that is told in degrees.
+// How far a motion is off. Where only rotary axes are off, that is in degrees.
 void tell_distance(Verdict& verdict, const Number& distance, const Position& got,
                    const Position& want, const Number& tolerance) {
   std::optional<Axis> rotary;
@@ -197,7 +192,7 @@ namespace {
 
 // How far a number of the subject's may be from what it computed.
 Number rounding(const Number& number, const std::optional<Number>& resolution,
-                const JudgeTerms& terms) {
+                const Tolerances& terms) {
   if (resolution) return *resolution / 2;
   return terms.binary64 ? abs(number) * Number::binary(1, 1 - kUlpBits) : Number(0);
 }
@@ -216,7 +211,7 @@ std::string values_of(const Record& want, const Record& got) {
 }
 
 // What it may come from.
-std::string unit_error_of(const Record& want, const Record& got, const JudgeTerms& terms) {
+std::string unit_error_of(const Record& want, const Record& got, const Tolerances& terms) {
   if (want.kind == RecordKind::thread) {
     return unit_error(Quantity::lead, want.lead, got.lead,
                       rounding(got.lead, terms.resolution, terms));
@@ -228,7 +223,7 @@ std::string unit_error_of(const Record& want, const Record& got, const JudgeTerm
 
 }  // namespace
 
-bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTerms& terms) {
+bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const Tolerances& terms) {
   const Record* want = dwell_of(step);
   if (want == nullptr || dwell.kind != RecordKind::dwell) return false;
   if (terms.compare_blocks && want->block != dwell.block) return false;
@@ -239,7 +234,7 @@ namespace {
 
 // J-CMP-12, of one that is not due at step `number`.
 VerdictKind kind_of_dwell(const Record& dwell, std::size_t number, ReferenceSteps& steps,
-                          const JudgeTerms& terms) {
+                          const Tolerances& terms) {
   for (std::size_t i = number; i < number + kLookAhead; ++i) {
     const ReferenceStep& step = steps.at(i).what;
     if (is_end(step)) break;
@@ -254,7 +249,7 @@ VerdictKind kind_of_dwell(const Record& dwell, std::size_t number, ReferenceStep
 
 // J-CMP-12: a dwell is due behind the motion that the subject has left unfinished.
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
-                    ReferenceSteps& steps, const JudgeTerms& terms) {
+                    ReferenceSteps& steps, const Tolerances& terms) {
   const ReferenceStep& step = steps.at(from.step).what;
   if (std::holds_alternative<Motion>(step) && from.piece) {
     const ReferenceStep& behind = steps.at(from.step + from.joined + 1).what;
@@ -284,7 +279,7 @@ namespace {
 // J-CMP-12: whether the motion that departs follows one that ended too early. It did where this
 // one leads on as the reference does next, or where less was missing than this one is off.
 bool ended_short(const Refutation& refutation, const Apart& apart, ReferenceSteps& steps,
-                 const JudgeTerms& terms) {
+                 const Tolerances& terms) {
   const Hypothesis& from = refutation.from;
   if (!from.piece) return false;
   const ReferenceSteps::Step& next = steps.at(from.step + from.joined + 1);
@@ -297,9 +292,9 @@ bool ended_short(const Refutation& refutation, const Apart& apart, ReferenceStep
          largest_difference(from.piece->to(), from.curve->motion().to()) <= apart.distance;
 }
 
-// That motions differ is known; how far, and which departs first, may hang on an enclosure's width,
-// and then stays unsaid.
-void explain_path(const Refutation& refutation, ReferenceSteps& steps, const JudgeTerms& terms,
+// That motions differ is known; how far, and which departs first, may depend on an enclosure's
+// width, and then stays unsaid.
+void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& terms,
                   Verdict& verdict) {
   const Hypothesis& from = refutation.from;
   const Motion& motion = *refutation.motion;
@@ -334,7 +329,7 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Jud
 
 }  // namespace
 
-Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const JudgeTerms& terms,
+Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& terms,
                 std::size_t& departed_at) {
   departed_at = steps.at(refutation.from.step).item;
   if (refutation.verdict) return *refutation.verdict;
@@ -388,20 +383,20 @@ bool is_exactly_on(const Motion& round, const Position& point) {
 
 }  // namespace
 
-bool is_correctly_rounded(const Number& got, const Number& exact, const JudgeTerms& terms) {
+bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& terms) {
   // Half a unit in the last place of a double is at most 2^-53 of its value.
   if (terms.binary64) return agree(got, exact, abs(got) * Number::binary(1, -kUlpBits - 1));
   return terms.resolution && agree(got, exact, *terms.resolution / 2);
 }
 
-Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms,
+Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& terms,
                RoundingCensus* census) {
   Grade grade;
   // `exact_ones` takes a coordinate that is exact, `others` one that is not.
   const auto compare = [&](const Number& got, const Number& exact, RoundingCensus* exact_ones,
                            RoundingCensus* others) {
     const Number difference = got - exact;
-    // An enclosure cannot be told from its exact value: not exact, for the grade.
+    // An enclosure may be its exact value or not: not exact, for the grade.
     const bool enclosed = difference.form() == Number::Form::enclosure;
     if (!enclosed && difference.sign() == 0) {
       if (exact_ones != nullptr) exact_ones->take_exact(1);

@@ -8,11 +8,12 @@
 
 #include "oracle/judge/advice.hpp"
 #include "oracle/judge/mismatch.hpp"
-#include "oracle/judge/places.hpp"
 #include "oracle/judge/program_judge.hpp"
-#include "oracle/judge/step_text.hpp"
 #include "oracle/judge/unreadable_block.hpp"
+#include "oracle/motion/places.hpp"
 #include "oracle/region/constants.hpp"
+#include "oracle/steps/step_text.hpp"
+#include "reference/silent_end.hpp"
 
 namespace gonogo::oracle {
 
@@ -101,7 +102,7 @@ Verdict alarm_verdict(VerdictKind kind, const SubjectAlarm& alarm, std::string m
 }
 
 // R7: to run on is the other answer to each rule that is an alarm. The reference ends there.
-Verdict ran_on(Verdict missing, const JudgeTerms& terms) {
+Verdict ran_on(Verdict missing, const Tolerances& terms) {
   missing = advised(std::move(missing), terms);
   if (missing.kind == VerdictKind::advice) {
     missing.message += " What the subject does after it is not judged.";
@@ -167,7 +168,7 @@ ProgramJudge::Ending ProgramJudge::end_of(Hypothesis from, const RunEnd& end) {
   }
 }
 
-// M functions are settled first; then what the ending says.
+// M functions are decided first; then what the ending says.
 void ProgramJudge::settle(Ending ending) {
   decide(m_functions_before_alarm(ending));
   if (ending.verdict) {
@@ -264,23 +265,23 @@ ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
   }
 }
 
-AlarmGround ProgramJudge::ground_of(const Alarming& alarming) const {
+NoAlarmReason ProgramJudge::why_no_alarm(const Alarming& alarming) const {
   AlarmPlace place;
   if (terms_.compare_blocks) place.block = alarming.alarm.block;
   place.at = alarming.at;
   place.is_begun = alarming.is_begun;
   if (alarming.unfinished) place.undone = alarming.unfinished->step.item;
-  return ground_of_alarm(profile_, program_, place, alarming.alarm.alarm_class);
+  return reason_for_no_alarm(profile_, program_, place, alarming.alarm.alarm_class);
 }
 
 // R6, and R7 where the alarm is the other answer to a rule that no text states.
 Verdict ProgramJudge::spurious_alarm(const Alarming& alarming, std::string message) const {
   Verdict verdict =
       alarm_verdict(VerdictKind::fail_alarm_spurious, alarming.alarm, std::move(message));
-  const AlarmGround ground = ground_of(alarming);
-  verdict.clause = ground.clause;
-  if (ground.answer == AlarmGround::Answer::other) return advised(std::move(verdict), terms_);
-  if (ground.answer == AlarmGround::Answer::late) {
+  const NoAlarmReason reason = why_no_alarm(alarming);
+  verdict.clause = reason.clause;
+  if (reason.answer == NoAlarmReason::Answer::other) return advised(std::move(verdict), terms_);
+  if (reason.answer == NoAlarmReason::Answer::late) {
     verdict.kind = VerdictKind::fail_alarm_late;
     verdict.message = "Motion of the block that alarms, or of a later one, was put out before.";
   }
@@ -288,7 +289,7 @@ Verdict ProgramJudge::spurious_alarm(const Alarming& alarming, std::string messa
 }
 
 // An alarm of a class that the block does not admit. Another answer: to a rule by which the block
-// runs on but for its faults (R7), or to which alarm a silent one is (R7).
+// runs on without its faults (R7), or which unstated one it answers (R7).
 Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& report) const {
   const auto message = [](const reference::Alarm& alarm) {
     return fmt::format("The alarm is of another class. {}", alarm.message);
@@ -300,13 +301,13 @@ Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& r
            reference::share_a_name(reference::clause(alarm.clause).other_names,
                                    alarming.alarm.alarm_class);
   });
-  const AlarmGround ground = ground_of(alarming);
+  const NoAlarmReason reason = why_no_alarm(alarming);
   if (named != report.alarms.end()) {
     verdict.clause = named->clause;
     verdict.word = named->word;
     verdict.message = message(*named);
-  } else if (ground.answer == AlarmGround::Answer::other) {
-    verdict.clause = ground.clause;
+  } else if (reason.answer == NoAlarmReason::Answer::other) {
+    verdict.clause = reason.clause;
   } else {
     return verdict;
   }
@@ -377,6 +378,9 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& al
       report != nullptr
           ? compare_alarm(from, alarming, *report)
           : spurious_alarm(alarming, "The subject alarms, and the program has no fault.");
+  if (departure && departure->want.empty() && unfinished) {
+    departure->want = step_text(unfinished->step.what);
+  }
   const bool is_early = report == nullptr || (terms_.compare_blocks && departure &&
                                               alarming.alarm.block < report->block);
   // Without line numbers the block that the subject names says nothing.

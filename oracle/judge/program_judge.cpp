@@ -6,13 +6,13 @@
 #include <algorithm>
 
 #include "oracle/judge/mismatch.hpp"
-#include "oracle/judge/places.hpp"
-#include "oracle/judge/step_text.hpp"
+#include "oracle/motion/places.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 
 ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText& program,
-                           const JudgeTerms& terms, const AssignmentSet* watched, Forking forking)
+                           const Tolerances& terms, const AssignmentSet* watched, Forking forking)
     : profile_(profile),
       terms_(terms),
       program_(program),

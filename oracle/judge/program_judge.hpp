@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The judge of one program under one assignment of readings: the subject's records come in, the
-// reference is pulled along, the first departure decides.
+// The judge of one program under one combination of readings: the subject's records come in, the
+// reference runs in parallel, the first departure decides.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
-#include "oracle/judge/alarm_ground.hpp"
 #include "oracle/judge/alignment.hpp"
-#include "oracle/judge/open_step_memory.hpp"
-#include "oracle/judge/plain_motion.hpp"
-#include "oracle/judge/program_input.hpp"
-#include "oracle/judge/progress.hpp"
-#include "oracle/judge/record_budget.hpp"
+#include "oracle/judge/no_alarm_reason.hpp"
+#include "oracle/motion/plain_motion.hpp"
+#include "oracle/motion/progress.hpp"
+#include "oracle/open/open_step_memory.hpp"
 #include "oracle/records/verdict.hpp"
+#include "oracle/steps/program_input.hpp"
+#include "oracle/steps/record_budget.hpp"
 
 namespace gonogo::oracle {
 
@@ -23,13 +23,13 @@ class ProgramJudge {
   // `watched`: the assignments that the readings of `profile` are taken from; null: they are all
   // that counts. Everything must outlive the judge.
   ProgramJudge(const reference::Profile& profile, const ProgramText& program,
-               const JudgeTerms& terms, const AssignmentSet* watched = nullptr,
+               const Tolerances& terms, const AssignmentSet* watched = nullptr,
                Forking forking = Forking::when_different);
   ProgramJudge(const ProgramJudge&) = delete;
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
   // Its next record as a line of JSON, where that is how the reference writes its own and nothing
-  // more has to be looked at: true when that was all. Else `record` has to be told.
+  // more has to be looked at: true when that was all. Else call `record`.
   bool line(std::string_view line);
   // The subject's end; the verdict.
   Verdict finish(const RunEnd& end);
@@ -42,8 +42,8 @@ class ProgramJudge {
   const reference::ReadingsInUse& readings() const { return reference_.readings(); }
   // The alternatives that say something else than its reference so far.
   WatchedReference& watched() { return reference_.watched(); }
-  // Whether the record, or the line, that it was told last is item number `progress` of the
-  // reference, which would say so whatever the subject had done.
+  // Whether the record, or the line, that it got last is item number `progress` of the
+  // reference, which would say so of any subject.
   bool is_in_step() const { return in_step_ && !reference_.was_moved(); }
 
  private:
@@ -91,7 +91,7 @@ class ProgramJudge {
                                        const reference::AlarmReport& report) const;
   Verdict other_class(const Alarming& alarming, const reference::AlarmReport& report) const;
   Verdict spurious_alarm(const Alarming& alarming, std::string message) const;
-  AlarmGround ground_of(const Alarming& alarming) const;
+  NoAlarmReason why_no_alarm(const Alarming& alarming) const;
   bool is_alarm_behind_end(Hypothesis& from, const Alarming& alarming);
   std::optional<Verdict> alarm_outside(const SubjectAlarm& alarm) const;
   // Whether an open path is looked at where the subject alarms.
@@ -101,7 +101,7 @@ class ProgramJudge {
   void settle(Ending ending);
 
   const reference::Profile& profile_;
-  const JudgeTerms& terms_;
+  const Tolerances& terms_;
   ProgramText program_;
   ReferenceSteps reference_;
   OpenStepMemory memory_;
@@ -117,7 +117,7 @@ class ProgramJudge {
     const reference::Item* ahead =
         nullptr;  // of the reference: `next`, if `is_plain`; null: not asked
     bool is_plain = false;
-    std::size_t coordinates = 0;  // that the reference tells
+    std::size_t coordinates = 0;  // that the reference gives
   };
   std::optional<InStep> in_step_;
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What came back from a machine as sampled axis positions. It is no trace of records, so it brings
-// its own judge; the session asks it under every assignment of readings.
+// its own judge; the session asks it under every combination of readings.
 #pragma once
 
 #include <string_view>
 
-#include "oracle/judge/program_input.hpp"
-#include "oracle/judge/terms.hpp"
+#include "oracle/motion/tolerances.hpp"
 #include "oracle/records/verdict.hpp"
+#include "oracle/steps/program_input.hpp"
 
 namespace gonogo::oracle {
 
@@ -29,7 +29,7 @@ class SampledOutcome {
   virtual ~SampledOutcome() = default;
   // `profile` says every reading that counts; `end` is how the run ended.
   virtual SampledVerdict judge(const reference::Profile& profile, const ProgramText& program,
-                               const JudgeTerms& terms, const RunEnd& end) const = 0;
+                               const Tolerances& terms, const RunEnd& end) const = 0;
 };
 
 }  // namespace gonogo::oracle

@@ -20,7 +20,7 @@ struct TimePart {
 std::array<TimePart, 4> parts_of(const CycleTime& time);
 
 // "30 s", "3.667 s (exactly 11/3)", "15.708 s (rounded)": exact where it is a short number, else
-// rounded to three decimals, and told so.
+// rounded to three decimals, and marked so.
 std::string amount_text(const TimePart& part);
 
 // What is said of the part that has this place: a sentence with a blank before it where `got` is

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "oracle/judge/program_input.hpp"
+#include "oracle/steps/program_input.hpp"
 #include "reference/outcome.hpp"
 #include "reference/profile.hpp"
 

@@ -21,7 +21,7 @@ struct CycleTable {
     std::array<std::size_t, kColumns.size()> cases{};
     bool fails() const { return cases[2] > 0; }
   };
-  // Of cycles of which a case was judged or failed; those that fail first.
+  // Cycles of which a case was judged or failed; those that fail first.
   std::vector<Row> rows;
   // Cycles of which nothing was judged, with their cases: "g112 306, g114 98"; empty: none.
   std::string others;

@@ -28,7 +28,7 @@ bool is_other_answer(VerdictKind kind);
 // Whether the subject or the gauge broke down, so that no record is at fault.
 bool is_breakdown(VerdictKind kind);
 
-// The order in which findings are told: a wrong path before a wrong alarm, a breakdown after them.
+// The order of findings in a report: a wrong path before a wrong alarm, a breakdown after them.
 unsigned gravity(VerdictKind kind);
 
 // What a finding is likely to come from: a mistake with which the reference does as the subject.

@@ -18,8 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers are texts, but for those of three kinds (docs/formats.md); what is no decimal is told to
-// nine places.
+// Numbers are texts, except those of three kinds (docs/formats.md); what is no decimal is printed
+// to nine places.
 std::string plain(const Json& value) {
   const bool is_number =
       value.is_object() ||

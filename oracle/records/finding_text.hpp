@@ -15,7 +15,7 @@
 
 namespace gonogo::oracle {
 
-// What is known of one case that departs. Whatever is empty is not told.
+// What is known of one case that departs. An empty field is left out.
 struct FindingFacts {
   std::string comment;  // what the case is about
   std::string profile;  // JSON
@@ -42,7 +42,7 @@ FindingFacts finding_facts(const Verdict& verdict);
 // The line of what is wanted, for a subject that has no lines.
 std::optional<std::uint64_t> line_wanted(std::string_view want);
 
-// The parts of what is told, in their order.
+// The parts of the text, in their order.
 struct FindingPart {
   enum class Form { sentence, fact, lines, command };
   Form form;

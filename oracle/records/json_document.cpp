@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <new>
 #include <vector>
 
 #include "oracle/records/text.hpp"
@@ -50,6 +51,11 @@ class KeySet {
   std::size_t count_ = 0;
 };
 
+// Where memory is short, nothing is wrong with the text.
+void need_memory(simdjson::error_code error) {
+  if (error == simdjson::MEMALLOC) throw std::bad_alloc();
+}
+
 }  // namespace
 
 // Recursion is bounded: the parser refuses what nests deeper than kJsonDepth.
@@ -85,11 +91,13 @@ simdjson::error_code JsonDocument::reserve(std::size_t size) {
 }
 
 std::variant<simdjson::dom::object, JsonFault> JsonDocument::parse_padded(std::string_view text) {
-  if (auto error = reserve(text.size())) return JsonFault{simdjson::error_message(error)};
+  simdjson::error_code error = reserve(text.size());
+  need_memory(error);
+  if (error != simdjson::SUCCESS) return JsonFault{simdjson::error_message(error)};
   element root;
-  if (parser_.parse(text.data(), text.size(), false).get(root) != simdjson::SUCCESS) {
-    return JsonFault{"This is not JSON: " + excerpt(text)};
-  }
+  error = parser_.parse(text.data(), text.size(), false).get(root);
+  need_memory(error);
+  if (error != simdjson::SUCCESS) return JsonFault{"This is not JSON: " + excerpt(text)};
   if (root.type() != element_type::OBJECT) {
     return JsonFault{"This is not a JSON object: " + excerpt(text)};
   }

@@ -282,7 +282,7 @@ void RoundingCensus::take(const Number& exact, const Number& got, bool is_correc
   try {
     const Number difference = got - exact;
     if (difference.form() == Number::Form::enclosure) {
-      // Closer than that nothing tells them apart but bits without end.
+      // Closer than that no number of bits distinguishes them.
       constexpr int kBits = 64;
       const auto [low, high] = difference.bounds(kBits);
       if (low.sign() <= 0 && high.sign() >= 0) {

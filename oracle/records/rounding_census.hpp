@@ -44,7 +44,7 @@ class RoundedCoordinates {
   bool has_grid() const { return count_ != 0 && decimals_ <= kFinestDecimals; }
   // Least increment of the coarsest one, mm; 0: none.
   Number increment() const;
-  // The modes that all of them fit on that grid; of several none can be told from the others.
+  // The modes that all of them fit on that grid; several of them look the same.
   std::vector<RoundingMode> modes() const;
   // The rules that all halves fit, where `nearest` is one of the modes; all: there was no half.
   std::vector<HalvesRule> halves() const;
@@ -101,7 +101,7 @@ class RoundingCensus {
 
  private:
   std::size_t exact_ = 0;
-  std::size_t open_ = 0;  // of which it cannot be told
+  std::size_t open_ = 0;  // of which it is unknown
   RoundedCoordinates correct_;
   RoundedCoordinates off_;
 };

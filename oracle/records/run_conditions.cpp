@@ -133,7 +133,10 @@ std::string RunConditions::text() const {
   if (!sandbox.empty()) text += "; sandbox: " + sandbox;
   if (fresh) {
     const std::size_t judged = fresh_judged(*fresh);
-    text += "; fresh programs: " + (judged == 0 ? "none" : grouped(judged));
+    std::size_t drawn = 0;
+    for (const auto& [dialect, count] : *fresh) drawn += count.programs;
+    text += "; fresh programs: ";
+    text += judged > 0 ? grouped(judged) : drawn > 0 ? "none of " + grouped(drawn) : "none";
   }
   if (seed != 0) text += fmt::format("; seed {}", seed);
   return text;

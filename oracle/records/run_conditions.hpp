@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What lies between a run and one of a whole corpus under the subject's own numbers.
+// How a run differs from one of a whole corpus under the subject's own numbers.
 #pragma once
 
 #include <cstdint>

@@ -18,6 +18,8 @@ constexpr std::string_view kNoGo = "NO-GO";
 
 constexpr std::string_view kOfEverySubject[] = {"blocks", "m", "bytes"};
 
+constexpr std::string_view kBasic = "basic";  // what nearly every program needs
+
 bool is_of_every_subject(std::string_view feature) {
   return std::ranges::find(kOfEverySubject, feature) != std::end(kOfEverySubject);
 }
@@ -68,23 +70,28 @@ bool NaturalOrder::operator()(std::string_view a, std::string_view b) const {
 }
 
 void RunScope::count_features(const CaseHead& line, VerdictKind kind) {
-  const auto count_in = [&](Judged& seen) {
+  const bool is_basic = std::ranges::all_of(line.features, [](const std::string& feature) {
+    return is_of_every_subject(feature) || feature == kBasic;
+  });
+  const auto count_in = [&](Judged& seen, bool is_to_blame) {
     if (kind == VerdictKind::skip) {
       ++seen.skipped;
     } else if (!is_judged(kind)) {
       ++seen.unsettled;
     } else {
       ++seen.cases;
-      if (decision(kind) == Decision::no_go) ++seen.no_go;
+      if (decision(kind) != Decision::no_go) return;
+      ++seen.no_go;
+      if (is_to_blame) ++seen.to_blame;
     }
   };
   bool is_nameless = true;
   for (const std::string& feature : line.features) {
     if (is_of_every_subject(feature)) continue;
     is_nameless = false;
-    count_in(features_[line.dialect][feature]);
+    count_in(features_[line.dialect][feature], is_basic || feature != kBasic);
   }
-  if (is_nameless) count_in(nameless_[line.dialect]);
+  if (is_nameless) count_in(nameless_[line.dialect], true);
 }
 
 // What ended in neither GO nor NO-GO was not judged (J-RUN-14).
@@ -159,17 +166,20 @@ std::string RunScope::go_features(std::size_t most) const {
   return text;
 }
 
-// "g94 of gsk988ta fails 252 of 878 cases, arc of hnc21t 3 of 7 cases"; more than `most`: the
-// first, and how many more.
+// "g94 of gsk988ta fails 252 of 878 cases, g110 3 of 7, arc of hnc21t 3 of 9"; more than `most`:
+// the first, and how many more.
 std::string RunScope::failing_features(std::size_t most) const {
   std::string text;
   std::size_t count = 0;
   for (const auto& [dialect, features] : features_) {
+    std::string place = " of " + dialect;
     for (const auto& [name, seen] : features) {
-      if (seen.no_go == 0 || ++count > most) continue;
-      text += fmt::format("{}{} of {}{} {} of {}", text.empty() ? "" : ", ", name, dialect,
-                          text.empty() ? " fails" : "", grouped(seen.no_go),
-                          counted(seen.cases, "case", "cases"));
+      if (seen.to_blame == 0 || ++count > most) continue;
+      const std::string cases =
+          text.empty() ? counted(seen.cases, "case", "cases") : grouped(seen.cases);
+      text += fmt::format("{}{}{}{} {} of {}", text.empty() ? "" : ", ", name, place,
+                          text.empty() ? " fails" : "", grouped(seen.no_go), cases);
+      place.clear();
     }
   }
   if (count > most) text += ", and " + counted(count - most, "more feature", "more features");

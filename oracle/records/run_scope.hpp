@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run speaks of: which features were judged, what of the corpus the subject does not claim,
+// What a run covers: which features were judged, what of the corpus the subject does not claim,
 // what it claims and skips, and the advices. Takes case lines one at a time; its memory depends on
 // features and clauses, not on cases.
 #pragma once
@@ -54,6 +54,7 @@ class RunScope {
   struct Judged {
     std::size_t cases = 0;
     std::size_t no_go = 0;      // of them
+    std::size_t to_blame = 0;   // of those; `basic` only where the case needs nothing else
     std::size_t skipped = 0;    // for another reason than a feature that is not declared
     std::size_t unsettled = 0;  // an advice, a known failure, a gap that the corpus does not expect
 

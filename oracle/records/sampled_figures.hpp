@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is told of a case that was judged from sampled positions. Lengths are decimals in mm.
+// What is reported of a case that was judged from sampled positions. Lengths are decimals in mm.
 #pragma once
 
 #include <string>

@@ -135,6 +135,12 @@ bool is_plain(char c) {
   return c >= ' ' && c <= '~';
 }
 
+bool is_plain_in_shell(char c) {
+  constexpr std::string_view kPlain = "_@%+=:,./-";
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+         kPlain.find(c) != std::string_view::npos;
+}
+
 }  // namespace
 
 std::string visible(std::string_view bytes, Lines lines) {
@@ -159,6 +165,7 @@ std::string excerpt(std::string_view bytes, std::size_t limit) {
 }
 
 std::string shell_quoted(std::string_view word) {
+  if (!word.empty() && std::ranges::all_of(word, is_plain_in_shell)) return std::string(word);
   std::string out = "'";
   for (char c : word) {
     if (c == '\'') {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-#include "oracle/subject.hpp"
+#include "oracle/records/subject_outcome.hpp"
 
 namespace gonogo::oracle {
 

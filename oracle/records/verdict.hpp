@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the judge says of one program and one subject.
+// What the judge says about one program and one subject.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/gap_reason.hpp"
+#include "oracle/records/gap_reason.hpp"
 #include "oracle/records/rounding_census.hpp"
 #include "oracle/records/sampled_figures.hpp"
 #include "reference/record.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The border of one band as pieces to walk, less what lies outside the area as a whole; and the
-// questions about borders that only exact arithmetic settles: those of borders that touch.
+// questions about borders that only exact arithmetic decides: those of borders that touch.
 #pragma once
 
 #include "oracle/region/border.hpp"

@@ -7,14 +7,14 @@
 #include "oracle/region/gouge.hpp"
 
 namespace gonogo::oracle::region {
-// What the direction is told from, in doubles: the sine between a motion of four times the width
+// What decides the direction, in doubles: the sine between a motion of four times the width
 // and the border that it runs along is at most 1/2, so the sign of its progress is never close.
 struct BorderSense::Track {
   double x, y;    // the motion's middle
   double dx, dy;  // from its begin to its end
 };
 
-// A border no more than the width across has no direction: whatever runs in it, runs along all of
+// A border no more than the width across has no direction: a path in it runs along all of
 // it. Motions no longer than four times the width have none either: both their ends may be off by
 // the tolerance on each axis, so that a way along the border or across it may come out backward.
 BorderSense::BorderSense(const RoundedRectangle& border, int sense, const Number& width)

@@ -47,8 +47,8 @@ Rounded rational_near(const Number& value) {
 
 }  // namespace
 
-Frame make_frame(const PlanePoint& origin, const Number& cos, const Number& sin) {
-  Frame frame;
+PocketFrame make_frame(const PlanePoint& origin, const Number& cos, const Number& sin) {
+  PocketFrame frame;
   const Rounded p = rational_near(origin.p);
   const Rounded q = rational_near(origin.q);
   frame.origin = {p.value, q.value};
@@ -75,12 +75,12 @@ Frame make_frame(const PlanePoint& origin, const Number& cos, const Number& sin)
   return frame;
 }
 
-PlanePoint into(const Frame& frame, const PlanePoint& point) {
+PlanePoint into(const PocketFrame& frame, const PlanePoint& point) {
   const PlanePoint d = point - frame.origin;
   return {frame.cos * d.p + frame.sin * d.q, frame.cos * d.q - frame.sin * d.p};
 }
 
-LevelMotion into(const Frame& frame, const LevelMotion& motion) {
+LevelMotion into(const PocketFrame& frame, const LevelMotion& motion) {
   LevelMotion moved = motion;
   moved.from = into(frame, motion.from);
   moved.to = into(frame, motion.to);
@@ -88,12 +88,12 @@ LevelMotion into(const Frame& frame, const LevelMotion& motion) {
   return moved;
 }
 
-PlanePoint out_of(const Frame& frame, const PlanePoint& point) {
+PlanePoint out_of(const PocketFrame& frame, const PlanePoint& point) {
   return {frame.cos * point.p - frame.sin * point.q + frame.origin.p,
           frame.sin * point.p + frame.cos * point.q + frame.origin.q};
 }
 
-Number slack_of(const Frame& frame, const RoundedRectangle& area) {
+Number slack_of(const PocketFrame& frame, const RoundedRectangle& area) {
   return frame.slack(area.core_p + area.core_q + Number(2) * area.radius);
 }
 

@@ -9,7 +9,7 @@
 
 namespace gonogo::oracle::region {
 
-struct Frame {
+struct PocketFrame {
   PlanePoint origin;  // in base coordinates
   Number cos;         // of the angle from the base's first axis to the frame's; rational, on the
   Number sin;         // unit circle
@@ -24,15 +24,15 @@ struct Frame {
 
 // `origin`: the pocket's centre. `cos`, `sin`: of the angle, of any form.
 // REQUIRES: cos^2 + sin^2 = 1. Throws std::domain_error when they are too far from that.
-Frame make_frame(const PlanePoint& origin, const Number& cos, const Number& sin);
+PocketFrame make_frame(const PlanePoint& origin, const Number& cos, const Number& sin);
 
 // From base coordinates into the frame, and back.
-PlanePoint into(const Frame& frame, const PlanePoint& point);
-LevelMotion into(const Frame& frame, const LevelMotion& motion);
-PlanePoint out_of(const Frame& frame, const PlanePoint& point);
+PlanePoint into(const PocketFrame& frame, const PlanePoint& point);
+LevelMotion into(const PocketFrame& frame, const LevelMotion& motion);
+PlanePoint out_of(const PocketFrame& frame, const PlanePoint& point);
 
 // The slack of a level whose area is the given one. A motion that leaves the area by more than
 // that is outside it, turned or not: the distance from the origin is not changed by turning.
-Number slack_of(const Frame& frame, const RoundedRectangle& area);
+Number slack_of(const PocketFrame& frame, const RoundedRectangle& area);
 
 }  // namespace gonogo::oracle::region

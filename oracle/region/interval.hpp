@@ -3,8 +3,8 @@
 // Enclosures in doubles for the region judge's filter: CGAL's intervals and its vectors over them.
 // What they decide is decided; what they leave open goes to exact arithmetic.
 //
-// The intervals leave the rounding mode to who computes with them: a `Rounding` stands in each
-// function that the other rooms call, since to set it for each sum takes longer than the sum.
+// The intervals leave the rounding mode to code that computes with them: a `Rounding` stands in
+// each function that the other rooms call, since to set it for each sum takes longer than the sum.
 #pragma once
 
 #include <CGAL/Interval_nt.h>

@@ -21,7 +21,7 @@ bool is_sound(const RoundedRectangle& shape) {
   return shape.core_p.sign() >= 0 && shape.core_q.sign() >= 0 && shape.radius.sign() > 0;
 }
 
-bool is_sound(const LevelTerms& terms) {
+bool is_sound(const CommonLevel& terms) {
   return terms.tool_radius.sign() > 0 && terms.tolerance.sign() > 0 && terms.chord.sign() >= 0;
 }
 
@@ -32,7 +32,7 @@ LevelVerdict judge_level_by(Method method, const CircularLevel& level,
   if (!is_sound(level) || level.tool_radius >= level.pocket_radius || level.step.sign() <= 0) {
     return out_of_range("The pocket, tool, step or tolerance is out of range.");
   }
-  Terms terms(level);
+  AnyLevel terms(level);
   terms.middle = level.centre;
   terms.area = {Number(), Number(), level.pocket_radius};
   terms.step = level.step;
@@ -46,7 +46,7 @@ LevelVerdict judge_level_by(Method method, const RectangularLevel& level,
                      level.tool_radius <= level.area.radius && level.slack.sign() >= 0 &&
                      level.slack < level.tolerance;
   if (!sound) return out_of_range("The pocket, tool or tolerance is out of range.");
-  Terms terms(level);
+  AnyLevel terms(level);
   terms.area = level.area;
   terms.cleared = level.cleared;
   terms.slack = level.slack;

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/gap_reason.hpp"
+#include "oracle/records/gap_reason.hpp"
 #include "reference/exact/number.hpp"
 
 namespace gonogo::oracle::region {
@@ -78,7 +78,7 @@ struct OpenTurns {
 };
 
 // What the levels of all pockets have.
-struct LevelTerms {
+struct CommonLevel {
   Number tool_radius;                        // > 0
   int sense = -1;                            // of turning: + is counterclockwise
   PlanePoint plunge;                         // where the tool came down
@@ -98,7 +98,7 @@ struct LevelTerms {
 // Where chords are granted, straight motions that are chords of arcs count as arcs (chords.hpp),
 // and `chord` is added to the tolerance of gouge (for them), cover and step, twice to that of
 // order.
-struct CircularLevel : LevelTerms {
+struct CircularLevel : CommonLevel {
   PlanePoint centre;
   Number pocket_radius;  // > tool_radius
   Number step;           // 0 < step < 2 * tool_radius
@@ -115,7 +115,7 @@ struct CircularLevel : LevelTerms {
 // than four times the tolerance.
 // A chord is added to the tolerance of cover, of lines also to those of gouge and of running along
 // the border.
-struct RectangularLevel : LevelTerms {
+struct RectangularLevel : CommonLevel {
   RoundedRectangle area;                    // its radius is at least the tool's
   std::optional<RoundedRectangle> cleared;  // by an earlier level: the rest is a strip
   // How far a point of a motion may lie from where it truly is, because the frame turns it by a

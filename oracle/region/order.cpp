@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "oracle/region/constants.hpp"
+#include "oracle/region/distance_history.hpp"
 #include "oracle/region/order_proof.hpp"
-#include "oracle/region/stations.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
@@ -96,7 +96,7 @@ class OrderCheck {
       : path_(path),
         units_(path.units_),
         bands_(path.bands_),
-        stations_(units_),
+        distances_(units_),
         grid_(bands_, half_side, path.reach_.sup()),
         budget_(kPiecesPerUnit * units_.size() + kPiecesOnTop) {}
 
@@ -127,7 +127,7 @@ class OrderCheck {
   const CutSequence& path_;
   const std::vector<CutUnit>& units_;
   const std::vector<Band>& bands_;
-  Stations stations_;
+  DistanceHistory distances_;
   Grid grid_;
   std::size_t budget_;
   std::size_t proofs_ = 0;
@@ -163,7 +163,7 @@ bool OrderCheck::lies_in(const Piece& piece, std::size_t band) const {
 std::int64_t OrderCheck::last_support(std::size_t unit, const IntervalVector& at,
                                       Interval size) const {
   if (!units_[unit].clears) return static_cast<std::int64_t>(unit) - 1;
-  return stations_.last_beyond(unit, at, path_.reach_ + size);
+  return distances_.last_beyond(unit, at, path_.reach_ + size);
 }
 
 void OrderCheck::remember(std::size_t unit, std::size_t band, std::size_t place) {
@@ -209,7 +209,7 @@ bool OrderCheck::is_supported(std::size_t unit, const Part& part) {
 bool OrderCheck::is_supported_nearer(std::size_t unit, const Piece& piece,
                                      const IntervalVector& middle, Interval size) const {
   const Interval less = 0.5 * (path_.reach_ - path_.step_);
-  const std::int64_t last = stations_.last_beyond(unit, middle, path_.reach_ - less + size);
+  const std::int64_t last = distances_.last_beyond(unit, middle, path_.reach_ - less + size);
   for (const std::uint32_t index : grid_.near(median(middle.x()), median(middle.y()))) {
     if (index == 0 || static_cast<std::int64_t>(bands_[index].unit) > last) continue;
     const Band band = narrowed(bands_[index], less);

@@ -55,7 +55,7 @@ bool is_open(const LevelMotion& motion, const Number& within) {
 
 class LevelJudge {
  public:
-  LevelJudge(const Terms& terms, std::span<const LevelMotion> motions, Method method)
+  LevelJudge(const AnyLevel& terms, std::span<const LevelMotion> motions, Method method)
       : terms_(terms),
         motions_(motions),
         method_(method),
@@ -106,7 +106,7 @@ class LevelJudge {
     if (!doubt_) doubt_ = gap(reason, std::move(why));
   }
 
-  const Terms& terms_;
+  const AnyLevel& terms_;
   std::span<const LevelMotion> motions_;
   Method method_;
   RoundedRectangle border_;
@@ -165,7 +165,7 @@ Against LevelJudge::against(const LevelMotion& motion) const {
   return surely == by(perhaps_) ? surely : Against::undecided;
 }
 
-// What leads nowhere has none.
+// A negligible motion has none.
 bool has_sense(const LevelMotion& motion, const Number& within) {
   return !motion.is_arc || (moves(motion) && !is_open(motion, within));
 }
@@ -431,8 +431,9 @@ std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle
 }
 
 // J-PATH-06: as the records say; else as rounding may have meant them.
-LevelVerdict judge_turns(const Terms& terms, std::span<const LevelMotion> motions, Method method) {
-  Terms as_stated = terms;
+LevelVerdict judge_turns(const AnyLevel& terms, std::span<const LevelMotion> motions,
+                         Method method) {
+  AnyLevel as_stated = terms;
   as_stated.turns.within = 0;
   LevelVerdict stated = LevelJudge(as_stated, motions, method).judge();
   const bool any_open = std::ranges::any_of(
@@ -447,7 +448,7 @@ LevelVerdict judge_turns(const Terms& terms, std::span<const LevelMotion> motion
 
 }  // namespace
 
-LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> motions,
+LevelVerdict judge_by_rules(const AnyLevel& terms, std::span<const LevelMotion> motions,
                             Method method) {
   const Rounding outward;
   if (motions.size() > kMostMotions)

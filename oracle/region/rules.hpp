@@ -8,9 +8,9 @@
 namespace gonogo::oracle::region {
 
 // Either kind of level.
-struct Terms : LevelTerms {
-  explicit Terms(const LevelTerms& terms)
-      : LevelTerms(terms), turns(terms.open_turns.value_or(OpenTurns{terms.tolerance})) {}
+struct AnyLevel : CommonLevel {
+  explicit AnyLevel(const CommonLevel& terms)
+      : CommonLevel(terms), turns(terms.open_turns.value_or(OpenTurns{terms.tolerance})) {}
 
   PlanePoint middle;
   RoundedRectangle area;  // about the middle
@@ -25,7 +25,7 @@ struct Terms : LevelTerms {
 };
 
 // The first rule broken in the order sense, gouge, cover, step, order.
-LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> motions,
+LevelVerdict judge_by_rules(const AnyLevel& terms, std::span<const LevelMotion> motions,
                             Method method);
 
 }  // namespace gonogo::oracle::region

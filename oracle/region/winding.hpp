@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-PKT-06: how far the path of a level goes back round the middle of its pocket, whatever way each
-// of its arcs turns.
+// J-PKT-06: how far the path of a level goes back round the middle of its pocket, apart from the
+// way in which each of its arcs turns.
 #pragma once
 
 #include "oracle/region/border_sense.hpp"

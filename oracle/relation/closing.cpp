@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "oracle/relation/correspondence.hpp"
-#include "oracle/relation/silence.hpp"
 #include "oracle/relation/unreadable_block.hpp"
+#include "reference/silent_end.hpp"
 
 namespace gonogo::relation {
 
@@ -67,7 +67,7 @@ int rank(VerdictKind kind) {
   }
 }
 
-// R6: whether the line of an alarm names the M function, as far as its text tells.
+// R6: whether the line of an alarm names the M function, as far as its text says.
 bool names_m(std::string_view line, std::int32_t number) {
   const std::string digits = std::to_string(number);
   for (std::size_t at = 0; at < line.size(); ++at) {
@@ -151,6 +151,18 @@ void Correspondence::close_at_end(const Place& place, const Record& end) {
   offer(std::move(answer));
 }
 
+namespace {
+
+// R7: of an alarm of the block no text says which class it is of, and this is another one for it.
+bool is_other_name(const AlarmReport& report, std::string_view alarm_class) {
+  return std::ranges::any_of(report.alarms, [&](const reference::Alarm& alarm) {
+    return reference::is_silent(alarm.clause) &&
+           reference::share_a_name(reference::clause(alarm.clause).other_names, alarm_class);
+  });
+}
+
+}  // namespace
+
 void Correspondence::close_at_alarm(const Place& place, const AlarmReport& report) {
   const Event& got = subject(place).at(place.j);
   if (got.part == Part::stop && got.source().kind == RecordKind::m) {
@@ -175,14 +187,18 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
     return outcome_.alarm == nullptr ||
            alarms_without(profile_, program_, report.block, *outcome_.alarm);
   };
-  if (is_silent(firmest(report).clause) && !terms_.strict && runs_on()) {
+  if (reference::is_silent(firmest(report).clause) && !terms_.strict && runs_on()) {
     offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm."));
   }
   if (!alarms) return;
   const auto alarms_before = [&] {
     return alarms_before_fault(profile_, program_, report, outcome_.alarm->alarm_class);
   };
-  if (!is_block || !(is_class || alarms_before())) return;
+  if (!is_block) return;
+  if (!is_class && is_other_name(report, outcome_.alarm->alarm_class) && !terms_.strict) {
+    offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text says which alarm it is."));
+  }
+  if (!is_class && !alarms_before()) return;
   Answer answer = at_place(place, VerdictKind::pass_tolerance, Rule::none, "");
   answer.clause = reference::kNoClause;
   offer(std::move(answer));
@@ -196,10 +212,12 @@ void Correspondence::close_by_alarm(const Place& place) {
   const oracle::SubjectAlarm& alarm = *outcome_.alarm;
   const std::size_t known = sides.m_functions(place.i);
   for (const Acceptance& accepted : sides.acceptances()) {
-    if (accepted.event != place.i || !is_other_answer(accepted.clause, alarm.alarm_class)) continue;
+    const bool is_other_answer =
+        reference::share_a_name(reference::clause(accepted.clause).refusals, alarm.alarm_class);
+    if (accepted.event != place.i || !is_other_answer) continue;
     if (terms_.compare_blocks && alarm.block != accepted.block) continue;
     const bool is_due = place.m < known && sides.m_block(place.m) != accepted.block &&
-                        !sides.may_stand(place.m, place.i + 1);
+                        sides.is_overdue(place.m, place.i + 1);
     if (is_due) continue;
     Answer advice = at_place(place, VerdictKind::advice, Rule::alarm,
                              "No text says whether the block runs on.");

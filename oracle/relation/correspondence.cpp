@@ -53,7 +53,8 @@ Intervals common(const Intervals& parts, const std::optional<Part01>& near) {
 }  // namespace
 
 Correspondence::Correspondence(const reference::Profile& profile, std::string_view program,
-                               const Terms& terms, const Outcome& outcome, const Manner& manner)
+                               const Tolerances& terms, const Outcome& outcome,
+                               const Manner& manner)
     : profile_(profile), program_(program), terms_(terms), outcome_(outcome), manner_(manner) {
   pairs_.push_back(
       {std::make_shared<ReferenceSide>(profile, program, terms, Settled(), manner.passes_end),

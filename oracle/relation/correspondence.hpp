@@ -29,8 +29,8 @@ struct Manner {
 class Correspondence {
  public:
   // What it is given must outlive it.
-  Correspondence(const reference::Profile& profile, std::string_view program, const Terms& terms,
-                 const Outcome& outcome, const Manner& manner);
+  Correspondence(const reference::Profile& profile, std::string_view program,
+                 const Tolerances& terms, const Outcome& outcome, const Manner& manner);
   // The best that any correspondence comes to; where all depart, the departure of the one that
   // comes farthest.
   Answer best();
@@ -101,7 +101,7 @@ class Correspondence {
 
   const reference::Profile& profile_;
   std::string_view program_;
-  const Terms& terms_;
+  const Tolerances& terms_;
   const Outcome& outcome_;
   Manner manner_;
   std::vector<Pair> pairs_;

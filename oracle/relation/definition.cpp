@@ -24,7 +24,7 @@ int rank(const Answer& answer) {
   return answer.kind == VerdictKind::advice ? 2 : 3;
 }
 
-// One assignment of the readings, one reading of the trace.
+// One combination of the readings, one reading of the trace.
 struct Judgement {
   Answer answer;
   bool finds_centres = false;
@@ -41,8 +41,8 @@ Answer undecided(GapReason reason, std::string message) {
 }
 
 // What the curves themselves do lies between what inner and outer reach.
-Judgement judge(const reference::Profile& profile, std::string_view program, const Terms& terms,
-                const Outcome& outcome, Manner manner) {
+Judgement judge(const reference::Profile& profile, std::string_view program,
+                const Tolerances& terms, const Outcome& outcome, Manner manner) {
   manner.bias = Bias::inner;
   Correspondence inner(profile, program, terms, outcome, manner);
   Judgement judgement{inner.best(), inner.finds_centres(), inner.is_beyond_end(), inner.touched()};
@@ -71,7 +71,7 @@ bool is_departure(const Answer& answer) {
 
 // Under one assignment: R7 of centres and of ends, and R9 of arcs whose ends agree.
 Judgement judge_readings_of_trace(const reference::Profile& profile, std::string_view program,
-                                  const Terms& terms, const Outcome& outcome) {
+                                  const Tolerances& terms, const Outcome& outcome) {
   Judgement judgement = judge(profile, program, terms, outcome, {});
   if (is_departure(judgement.answer) && judgement.finds_centres && !terms.strict) {
     const Judgement excused = judge(profile, program, terms, outcome, {.excuses_centres = true});
@@ -170,9 +170,9 @@ std::string_view name(GapReason reason) {
   return kNames[static_cast<std::size_t>(reason)];
 }
 
-// The best of all assignments of the open readings that the program asks for; of departures the one
-// that comes last.
-Answer decide(const reference::Profile& profile, std::string_view program, const Terms& terms,
+// The best of all combinations of the open readings that the program asks for; of departures the
+// one that comes last.
+Answer decide(const reference::Profile& profile, std::string_view program, const Tolerances& terms,
               const Outcome& outcome) {
   if (std::optional<Answer> answer = overrun(outcome)) return *std::move(answer);
   constexpr std::size_t kMostAssignments = 64;
@@ -199,7 +199,7 @@ Answer decide(const reference::Profile& profile, std::string_view program, const
       continue;
     }
     if (++assignments > kMostAssignments) {
-      return undecided(GapReason::many_assignments, "More than 64 assignments of open readings.");
+      return undecided(GapReason::many_assignments, "More than 64 combinations of open readings.");
     }
     for (const ReadingKey key : judgement.touched) {
       if (!reference::reading(key).is_length || !profile.readings.is(key, "any")) continue;

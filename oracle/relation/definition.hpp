@@ -2,7 +2,7 @@
 //
 // THIS IS THE DEFINITION OF GO AND NO-GO, to be read beside docs/relation.md, sentence by sentence.
 // It is naive on purpose: it looks at every correspondence and forgets nothing, and takes the time
-// and memory for that. The judge is what campaigns run; it is held to this.
+// and memory for that. Campaigns run the judge; tests compare it with this.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 #include <string_view>
 
 #include "oracle/records/verdict.hpp"
-#include "oracle/subject.hpp"
+#include "oracle/records/subject_outcome.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::relation {
 
 using exact::Number;
 
-// On what terms the two sides are compared.
-struct Terms {
+// How the two sides are compared.
+struct Tolerances {
   Number tolerance = Number::millionths(1000);  // tau, mm an axis
   Number increment = Number::millionths(1000);  // the profile's resolution
   Number chord;                                 // granted, mm; 0: none
@@ -67,7 +67,7 @@ struct Outcome {
 };
 
 // `program` and `outcome` are as the judge gets them.
-Answer decide(const reference::Profile& profile, std::string_view program, const Terms& terms,
+Answer decide(const reference::Profile& profile, std::string_view program, const Tolerances& terms,
               const Outcome& outcome);
 
 }  // namespace gonogo::relation

@@ -13,7 +13,7 @@
 namespace gonogo::relation {
 
 // A helical pocket leaves open at which point of its circle the tool comes to the helix; that point
-// settles everything. The paths for all points at which the subject, from its event `begin` on, may
+// decides everything. The paths for all points at which the subject, from its event `begin` on, may
 // have come to it.
 std::vector<std::vector<reference::Record>> paths_of(const reference::HelixPocket& pocket,
                                                      SubjectSide& subject, std::size_t begin,
@@ -27,7 +27,8 @@ std::vector<std::vector<reference::Record>> paths_of(const reference::ThreadMill
 // What a place may be off by; the width of a piece is taken off it or added (Bias).
 class Slack {
  public:
-  Slack(const Terms& terms, bool is_generous) : tau_(terms.tolerance), is_generous_(is_generous) {}
+  Slack(const Tolerances& terms, bool is_generous)
+      : tau_(terms.tolerance), is_generous_(is_generous) {}
   bool is_generous() const { return is_generous_; }
   bool allows(Said said) const { return said == Said::yes || (is_generous_ && said == Said::near); }
   // On an axis; on curves (R2).
@@ -49,7 +50,7 @@ struct StepAnswer {
 struct Followed {
   SubjectSide& subject;
   std::size_t begin;
-  const Terms& terms;
+  const Tolerances& terms;
   Slack slack;
 };
 StepAnswer follow(const reference::PocketLevel& level, const Followed& way);

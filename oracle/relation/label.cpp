@@ -6,7 +6,7 @@ namespace gonogo::relation {
 using reference::Record;
 using reference::RecordKind;
 
-Label label_of(const Record& motion, bool is_flat, const Terms& terms) {
+Label label_of(const Record& motion, bool is_flat, const Tolerances& terms) {
   Label label;
   label.kind = motion.kind == RecordKind::arc3 ? RecordKind::arc : motion.kind;
   label.is_flat = is_flat;
@@ -45,7 +45,7 @@ bool is_same(const Label& a, const Label& b) {
 }
 
 bool agree(const Number& want, const Number& got, const std::optional<Number>& resolution,
-           const Terms& terms) {
+           const Tolerances& terms) {
   // Two units in the last place of a double lie below 2^-51 of its value.
   const Number last_places =
       terms.binary64 ? abs(want.bounds(kBitsOfLabel)[0]) * Number::binary(1, -51) : Number(0);
@@ -53,13 +53,13 @@ bool agree(const Number& want, const Number& got, const std::optional<Number>& r
   return !are_apart(want, got, max(half, last_places));
 }
 
-bool is_granted_chord(const Label& want, const Label& got, const Terms& terms) {
+bool is_granted_chord(const Label& want, const Label& got, const Tolerances& terms) {
   return terms.chord.sign() > 0 && want.kind == RecordKind::arc && got.kind == RecordKind::feed;
 }
 
 namespace {
 
-bool is_same_kind(const Label& want, const Label& got, const Terms& terms) {
+bool is_same_kind(const Label& want, const Label& got, const Tolerances& terms) {
   if (want.kind == got.kind) return true;
   const bool line_for_arc = want.kind == RecordKind::arc && got.kind == RecordKind::feed;
   const bool arc_for_line = want.kind == RecordKind::feed && got.kind == RecordKind::arc;
@@ -68,7 +68,7 @@ bool is_same_kind(const Label& want, const Label& got, const Terms& terms) {
 }
 
 // A lead is a length and agrees as lengths do; so does the angle of a start, within a turn.
-bool is_same_thread(const Label& want, const Label& got, const Terms& terms) {
+bool is_same_thread(const Label& want, const Label& got, const Tolerances& terms) {
   const std::optional<Number> resolution = terms.resolution.value_or(terms.increment);
   for (const int turn : {-360, 0, 360}) {
     if (!agree(want.start + turn, got.start, resolution, terms)) continue;
@@ -79,7 +79,7 @@ bool is_same_thread(const Label& want, const Label& got, const Terms& terms) {
 
 }  // namespace
 
-Likeness compare(const Label& want, const Label& got, const Terms& terms) {
+Likeness compare(const Label& want, const Label& got, const Tolerances& terms) {
   if (!is_same_kind(want, got, terms) || want.block != got.block) return Likeness::other;
   const bool is_same_feed =
       want.feed_mode == got.feed_mode && agree(want.feed, got.feed, terms.feed_resolution, terms);

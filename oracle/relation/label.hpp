@@ -16,10 +16,10 @@ struct Label {
   Number start;
   std::uint64_t block = 0;    // 0 where lines are not compared
   bool is_flat = false;       // an arc that may come as its chord, or a chord as the arc
-  bool finds_centre = false;  // an arc whose centre the control works out
+  bool finds_centre = false;  // an arc whose centre the control computes
 };
 
-Label label_of(const reference::Record& motion, bool is_flat, const Terms& terms);
+Label label_of(const reference::Record& motion, bool is_flat, const Tolerances& terms);
 
 // Whether they are one label, to the last digit: of motions of one side.
 bool is_same(const Label& a, const Label& b);
@@ -27,16 +27,16 @@ bool is_same(const Label& a, const Label& b);
 // Whether `got` is `want`, or as far off as rounding to the resolution makes it. Two enclosures
 // that overlap agree: nothing says that they differ.
 bool agree(const Number& want, const Number& got, const std::optional<Number>& resolution,
-           const Terms& terms);
+           const Tolerances& terms);
 
 enum class Likeness : std::uint8_t {
   same,    // partners may have them
   number,  // a number alone differs
   other,
 };
-Likeness compare(const Label& want, const Label& got, const Terms& terms);
+Likeness compare(const Label& want, const Label& got, const Tolerances& terms);
 
 // Whether a straight cut stands for an arc because the certifier grants chords.
-bool is_granted_chord(const Label& want, const Label& got, const Terms& terms);
+bool is_granted_chord(const Label& want, const Label& got, const Tolerances& terms);
 
 }  // namespace gonogo::relation

@@ -163,7 +163,7 @@ class LevelConditions {
   }
 
   const PocketLevel& level_;
-  const Terms& terms_;
+  const Tolerances& terms_;
   Slack slack_;
   reference::PlaneAxes axes_;
   Offset middle_;

@@ -136,7 +136,7 @@ class MillingConditions {
     return !is_inside(offset_of(place), -limit_ * 2);
   }
 
-  // Whether the tool may be at a height whatever it does there: above what is cut, or in what
+  // Whether the tool may be at a height in any motion: above what is cut, or in what
   // roughing has cleared.
   bool is_free(const Event& piece, const Number& off) const {
     const Number height = min(piece.from[axes_.d], piece.to[axes_.d]);
@@ -332,7 +332,7 @@ class MillingConditions {
   }
 
   const PocketMilling& pocket_;
-  const Terms& terms_;
+  const Tolerances& terms_;
   Slack slack_;
   reference::PlaneAxes axes_;
   Number tool_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "reference/silent_end.hpp"
+
 namespace gonogo::relation {
 
 using reference::Item;
@@ -10,7 +12,7 @@ using reference::Record;
 using reference::RecordKind;
 
 ReferenceSide::ReferenceSide(const reference::Profile& profile, std::string_view program,
-                             const Terms& terms, Settled settled, bool passes_end)
+                             const Tolerances& terms, Settled settled, bool passes_end)
     : terms_(terms),
       bytes_(program),
       lines_(bytes_),
@@ -21,11 +23,6 @@ ReferenceSide::ReferenceSide(const reference::Profile& profile, std::string_view
   expander_.on_acceptance([this](std::uint64_t block, reference::ClauseId clause) {
     acceptances_.push_back({events_.size(), block, clause});
   });
-}
-
-bool is_silent_end(const Item& item) {
-  const auto* record = std::get_if<Record>(&item);
-  return record != nullptr && record->kind == RecordKind::end && is_silent(record->clause);
 }
 
 const Event& ReferenceSide::at(std::size_t index) {

@@ -21,16 +21,13 @@ struct Acceptance {
   reference::ClauseId clause = reference::kNoClause;
 };
 
-// An end that no text states.
-bool is_silent_end(const reference::Item& item);
-
 // The reference's events, each asked of it when it is looked at.
 class ReferenceSide {
  public:
   // What it is given must outlive it. `passes_end`: what stands behind an end that no text states
   // follows what stands before it (R7).
-  ReferenceSide(const reference::Profile& profile, std::string_view program, const Terms& terms,
-                Settled settled, bool passes_end);
+  ReferenceSide(const reference::Profile& profile, std::string_view program,
+                const Tolerances& terms, Settled settled, bool passes_end);
   // The last one is the close; REQUIRES: none before it is.
   const Event& at(std::size_t index);
 
@@ -66,7 +63,7 @@ class ReferenceSide {
   void push(Event event);
   Block block_of(const MFunction& m);
 
-  const Terms& terms_;
+  const Tolerances& terms_;
   grammar::MemorySource bytes_;
   grammar::LineSource lines_;
   reference::Expander expander_;
@@ -76,7 +73,7 @@ class ReferenceSide {
   std::deque<Event> events_;
   std::deque<std::size_t> items_;  // the number of the item of each event
   std::optional<MotionEvents> motion_;
-  std::deque<reference::Record> due_;  // of a free step that is settled
+  std::deque<reference::Record> due_;  // of a free step that is decided
   std::size_t item_ = 0;
   std::size_t scanned_ = 0;  // before which all M functions are known
   std::deque<MFunction> m_;

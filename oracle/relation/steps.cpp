@@ -157,7 +157,7 @@ void Correspondence::rename(const Place& place) {
   reach_corner({pair_for(pair), place.i + 1, 0, place.m});
 }
 
-// R8. What settles a step makes another side of the reference, equal up to it.
+// R8. What decides a step makes another side of the reference, equal up to it.
 void Correspondence::settle(const Place& place, std::vector<Record> path, const Place& next) {
   Settled settled = reference(place).settled();
   settled.insert_or_assign(reference(place).item_of(place.i), std::move(path));

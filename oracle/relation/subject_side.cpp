@@ -9,7 +9,7 @@ using reference::Record;
 using reference::RecordKind;
 
 MotionEvents::MotionEvents(Event first, const Record& motion, const Position& from,
-                           const Terms& terms, Turn turn)
+                           const Tolerances& terms, Turn turn)
     : event_(std::move(first)),
       cutter_(motion, from, terms.tolerance, turn),
       tau_(terms.tolerance) {
@@ -34,7 +34,7 @@ std::optional<Event> MotionEvents::next() {
 }
 
 SubjectSide::SubjectSide(std::span<const Record> records, std::size_t first, const Position& from,
-                         const Terms& terms, Turn turn)
+                         const Tolerances& terms, Turn turn)
     : records_(records), next_(first), here_(from), terms_(terms), turn_(turn) {}
 
 const Event& SubjectSide::at(std::size_t index) {

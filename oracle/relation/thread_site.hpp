@@ -48,7 +48,7 @@ struct ThreadSite {
   std::string_view broken_height(const Event& piece) const;
 
   const reference::ThreadMilling& thread_;
-  const Terms& terms_;
+  const Tolerances& terms_;
   Slack slack_;
   Position begin_place_;
   reference::PlaneAxes axes_;

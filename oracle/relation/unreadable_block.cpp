@@ -15,7 +15,7 @@ using reference::AlarmReport;
 
 namespace {
 
-// What is missing may stand behind the fault; these stay, whatever stands there.
+// What is missing may stand behind the fault; these stay in any case.
 constexpr std::array kLasting = {AlarmClass::undefined_code,     AlarmClass::duplicate_word,
                                  AlarmClass::conflicting_words,  AlarmClass::value_sign,
                                  AlarmClass::value_out_of_range, AlarmClass::not_an_integer};

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "oracle/subject.hpp"
+#include "oracle/records/subject_outcome.hpp"
 
 #include "reference/outcome.hpp"
 #include "reference/profile.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// R8, sense and measure: the way round a middle, whatever it is made of.
+// R8, sense and measure: the way round a middle, in any pieces.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // fmt as a static library, from its installed headers: without FMT_HEADER_ONLY they define what the
-// shared library has, but for the templates that it makes in advance.
+// shared library has, except the templates that it makes in advance.
 #include <fmt/format-inl.h>
 
 namespace fmt::detail {

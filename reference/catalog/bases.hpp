@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the clauses rest on that no text states word for word: of each that is derived its
-// derivation in one line. A clause of the level `open` that is settled by a reading rests on the
-// reading as chosen: what departs from it departs from the choice. What has neither is silent
+// derivation in one line. A clause of the level `open` that is decided by a reading rests on the
+// reading as chosen: what departs from it departs from the choice. What has neither is unstated
 // (silent_rules.hpp, and the open clauses that are not named here).
 #pragma once
 
@@ -54,7 +54,7 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"GSK-G110-17", kAsChosen},
     {"GSK-G110-18", kAsChosen},
     {"GSK-G112-09",
-     "Of semicircles from the centre to the circle of I - D only the tangential ones have the "
+     "Only the tangential semicircles from the centre to the circle of I - D have the "
      "radius (I - D)/2; the code names one sense."},
     {"GSK-G112-10",
      "Note 2, printed again below G112: R has the direction of the infeed, which Q stands for."},
@@ -112,7 +112,7 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"HNC-G82-07", "The format prints F/J: one lead, in one of two units."},
     {"HNC-G74-02",
      "The letters of the path of way 1 in G75: five pecks and four withdrawals, then out."},
-    {"HNC-G74-05", "Way 1 has both words, way 2 goes down in one whatever the depth of a peck is."},
+    {"HNC-G74-05", "Way 1 has both words, way 2 goes down in one for any depth of a peck."},
     {"HNC-G75-02", "The letters of the path of way 1: five pecks and four withdrawals, then out."},
     {"HNC-G75-03", "The letters of the path of way 2: A B A."},
     {"HNC-G75-04",

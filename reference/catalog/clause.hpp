@@ -24,7 +24,7 @@ struct Clause {
   // What a departure from it departs from, where that is not what the level says.
   std::optional<Basis> stated_basis = std::nullopt;
   std::string_view derivation = {};  // of what is derived: from what, in one line
-  // What a control says that answers the question of a silent clause the other way, as names of
+  // What a control says that answers the question of an unstated clause the other way, as names of
   // alarm classes with blanks between them: where the rule lets a block run on, the alarms of a
   // control that does not; where the rule is an alarm, those that it may be instead. (That such a
   // control runs on goes without saying.)

@@ -299,10 +299,10 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "The ranges of the words hold in the blocks of the cycles that use them.",
      "reference/gsk988ta/words.cpp"},
     {"GSK-WRD-01", derived, kBasic,
-     "Every word of a block is used by its code, or passed over by a rule of the list below, or it "
+     "Every word of a block is used by its code, or ignored by a rule of the list below, or it "
      "ends the program as not covered: a control may chamfer or round by it.",
      "reference/gsk988ta/word_use.cpp", std::nullopt,
-     "A word that changes a path on some control, passed over, is a wrong path."},
+     "A word that changes a path on some control, ignored, is a wrong path."},
     {"GSK-COM-07", open, kBasic,
      "One address twice, and two codes of one group, are an alarm; a parameter of the machine can "
      "let the later one win.",

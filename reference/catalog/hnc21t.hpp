@@ -62,7 +62,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/hnc21t/g82.cpp"},
     {"HNC-G82-08", open, kG82,
      "A lead is above zero, and a later one replaces the one in force. R, E, Q, C and P are judged "
-     "on the values in force. Of equal travels Z is the long one; X counts as a radius. No text "
+     "on the values in force. Z is the long one of equal travels; X counts as a radius. No text "
      "says so; our judgement.",
      "reference/hnc21t/g82.cpp"},
     {"HNC-G82-09", open, kG82,
@@ -126,8 +126,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "lead; G32 needs a lead of its own.",
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-MOD-05", open, kSimple,
-     "The same code again is no change of command. A code without an axis word takes in its words "
-     "and moves nothing. Y and V are not words of a lathe. Of the planes only G18 is there; G40, "
+     "The same code again is no change of command. A code without an axis word stores its words "
+     "and moves nothing. Y and V are not words of a lathe. G18 is the only plane; G40, "
      "G96 and G97 have no effect. No text says so; our judgement.",
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-COM-01", derived, kBasic,
@@ -136,11 +136,11 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "G20, G21, G32, G36, G37, G54 to G59, G90 to G92, G94 and G95.",
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-WRD-01", derived, kBasic,
-     "Every word of a block is used by its code, or passed over by a rule of the list below, or it "
+     "Every word of a block is used by its code, or ignored by a rule of the list below, or it "
      "ends the program as not covered: a control may chamfer or round by it (C, R, RL= and RC= of "
      "G01).",
      "reference/hnc21t/word_use.cpp", std::nullopt,
-     "A word that changes a path on some control, passed over, is a wrong path."},
+     "A word that changes a path on some control, ignored, is a wrong path."},
 });
 
 }  // namespace gonogo::reference::catalog::hnc21t

@@ -18,6 +18,10 @@ inline constexpr std::string_view kOverview =
     "LinuxCNC 2.9, G-code overview: format of a line, the end of a program";
 inline constexpr std::string_view kGroups = "LinuxCNC 2.9, G-code overview: modal groups";
 
+inline constexpr std::string_view kLaterModes =
+    "LinuxCNC 2.9, G codes: modes of feed, spindle and lathe";
+inline constexpr std::string_view kSaving = "LinuxCNC 2.9, M codes: modal state saved and restored";
+
 using enum ClauseLevel;
 inline constexpr auto kClauses = std::to_array<Clause>({
     {"NGC-G0-01", must, kLines,
@@ -25,7 +29,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/basic_motion.cpp"},
     {"NGC-MOD-01", must, kModes,
      "G0 to G3, G33, G33.1, G73, G74, G76 and G80 to G89 are modal and of one group: a block with "
-     "axis words alone repeats the motion. The words of a block act in a fixed order, whatever "
+     "axis words alone repeats the motion. The words of a block act in a fixed order, not in "
      "their order on the line.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-DIS-01", must, kModes,
@@ -61,19 +65,17 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     {"NGC-COM-01", derived, kBlocks,
      "A line with a slash runs unless blocks are skipped. A word or a modal group twice in a "
      "block, more than four M functions, a code that the language lacks, and R with I J K are "
-     "alarms. G40 G61 G64 S, and M6 and T without G43, are passed over. M functions, G codes times "
-     "ten and P of an arc are whole numbers. M70 and M71 save modes and forget them; M72 and M73, "
-     "which restore them, the gauge does not read.",
+     "alarms. G40 G61 G64 S, and M6 and T without G43, are ignored. M functions, G codes times "
+     "ten and P of an arc are whole numbers.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-COM-02", must, kGroups,
      "A word that no code of the block uses is an alarm, also in a block without a motion: I J K "
-     "belong to an arc, K to G33, I and K to G33.1, all to G76; R to an arc, a canned cycle, G76 "
+     "belong to an arc, K to G33, I and K to G33.1, all to G76, I and J to G10; R to an arc, a "
+     "canned "
+     "cycle, G76 and G10; L to these cycles, G76, G10, M66 and M98; P to G4, G10, an arc, G64, a "
+     "cycle that has it, G76, M50 to M53, M62 to M66 and M98; Q to G10, G64, G73, G83, G76, M61 "
      "and "
-     "G10; L to these cycles, G76, G10 and M66; P to G4, G10, an arc, G64, a cycle that has it, "
-     "G76, "
-     "M50 to M53 and M62 to M66; Q to G64, G73, G83, G76, M61 and M66 to M68; H to G43 and G76, E "
-     "to "
-     "G76 and M66 to M68; D to no code that the gauge reads.",
+     "M66 to M68; H to G43, G43.2 and G76, E to G76 and M66 to M68; D to G96.",
      "reference/rs274/unused_words.cpp"},
     {"NGC-COM-03", open, kGroups,
      "Two codes of a modal group in a block are an alarm. LinuxCNC forgets G80 beside another code "
@@ -125,6 +127,45 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "G94 is units per minute. What it leaves of the feed in force no text says: LinuxCNC has none "
      "until F is given, in this block or later; NIST's interpreter keeps it.",
      "reference/rs274/interpreter.cpp", Basis::text},
+    {"NGC-FED-01", must, kLaterModes,
+     "G93 is inverse time: a block takes 1/F minutes, so that the feed is F times the way of its "
+     "linear "
+     "axes, or of the rotary axes where they move alone. G1, G2 and G3 need an F in their block; F "
+     "of "
+     "other blocks means nothing, and G0 runs as ever. Arcs in inverse time the gauge does not "
+     "read.",
+     "reference/rs274/modes.cpp"},
+    {"NGC-FED-02", must, kLaterModes,
+     "G95 is feed per revolution of the spindle. Once G93, G94 or G95 has changed the mode, a feed "
+     "that was in force is none, until F is given in this block or later.",
+     "reference/rs274/interpreter.cpp"},
+    refused_by_some(
+        {"NGC-FED-03", open, kLaterModes,
+         "A feed per revolution of a spindle that stands, or has no speed, is put out as "
+         "it is. No text says what happens; our judgement.",
+         "reference/rs274/modes.cpp", Basis::silent},
+        "spindle-stopped"),
+    {"NGC-SPD-01", must, kLaterModes,
+     "G96 is constant surface speed and needs S; D is the highest speed. G97 is revolutions.",
+     "reference/rs274/modes.cpp"},
+    {"NGC-SPD-02", must, kLaterModes, "A feed under G96 while the spindle stands is an alarm.",
+     "reference/rs274/modes.cpp"},
+    {"NGC-DIA-01", must, kLaterModes, "Under G7 X is a diameter, and X moves by half; G8 ends it.",
+     "reference/rs274/words.cpp"},
+    {"NGC-DIA-02", open, kLaterModes,
+     "No text says what X is in the block in which G7 or G8 changes the mode, nor X of offsets "
+     "under "
+     "G7, I under G7 and G90.1, and levels of cycles along X under G7. They are not read; our "
+     "judgement.",
+     "reference/rs274/modes.cpp"},
+    {"NGC-SAV-01", must, kSaving,
+     "M70 saves the modes of its subroutine or the program, M72 puts them in force again, M71 "
+     "forgets "
+     "them, M73 saves them and restores them where the subroutine ends. They are units, plane, the "
+     "modes of distances, centres, diameters, feed and speed, the coordinate system, F, and the "
+     "return of cycles, not the motion. M72 without M70 is an alarm. Where a spindle, coolant or "
+     "tool length would have to be restored, the gauge does not read on.",
+     "reference/rs274/modes.cpp"},
     {"NGC-MOD-02", open, kLines,
      "G0 and G1 without an axis word: an alarm to NIST's interpreter; to LinuxCNC no motion, and "
      "an "

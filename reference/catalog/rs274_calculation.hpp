@@ -24,7 +24,7 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "of a parameter the last one holds.",
      "reference/rs274/expression.cpp"},
     {"NGC-PAR-03", must, kParameters,
-     "#<name> is a named parameter, whatever the case of its letters and blanks in it: with _ "
+     "#<name> is a named parameter; the case of its letters and blanks do not count: with _ "
      "before it that of the whole program, else of the subroutine that set it, and gone when that "
      "ends. To use one that was never set is an alarm.",
      "reference/rs274/expression.cpp"},
@@ -91,7 +91,7 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "both are 0 from the next call on until one returns a value.",
      "reference/rs274/o_words.cpp"},
     {"NGC-OWD-04", must, kOCodes,
-     "Of if, elseif and else up to endif the lines behind the first condition that is true run, or "
+     "From if, elseif and else to endif the lines behind the first condition that is true run, or "
      "those behind else; no later condition is looked at, and no line that does not run.",
      "reference/rs274/o_words.cpp"},
     {"NGC-OWD-05", must, kOCodes,
@@ -110,7 +110,7 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "reference/rs274/o_words.cpp"},
     refused_by_some(
         {"NGC-OWD-09", open, kOCodes,
-         "A comment behind an O word is passed over. No text says what it does; our judgement.",
+         "A comment behind an O word is ignored. No text says what it does; our judgement.",
          "reference/rs274/o_words.cpp", Basis::silent},
         "syntax"),
     {"NGC-OWD-10", open, kOCodes,
@@ -120,11 +120,20 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "mebibyte of lines that may come again or a hundred thousand lines that do are not read.",
      "reference/rs274/o_words.cpp"},
     refused_by_some({"NGC-OWD-11", open, kOCodes,
-                     "A call of a subroutine that stands behind it runs it, and the program passes "
-                     "over it where it comes to it. The documents have it stand before. No text "
+                     "A call of a subroutine that stands behind it runs it, and the program skips "
+                     "it where it comes to it. The documents have it stand before. No text "
                      "says what happens else; our judgement.",
                      "reference/rs274/o_words.cpp", Basis::silent},
                     "syntax undefined-code"),
+    {"NGC-OWD-13", must, kOCodes,
+     "M98 P calls the subprogram that stands behind it, from the line O and its number to M99, and "
+     "L "
+     "times, once without L; #1 to #30 are the program's there. A subroutine of one style with a "
+     "call "
+     "or an end of the other is an alarm, and so are P and L that are no whole numbers from 0 on. "
+     "M99 "
+     "in the program itself, and M98 and M99 beside other words, are not read.",
+     "reference/rs274/subprograms.cpp"},
     {"NGC-OWD-12", open, kOCodes, "A comment between the values of a call is not read.",
      "grammar/x3/rs274.cpp"},
 });

@@ -97,9 +97,10 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"NGC-CYC-20", derived, kCycles, "A cycle cuts: it needs a feed above zero.",
      "reference/rs274/hole_block.cpp"},
     {"NGC-CYC-21", must, kCycles,
-     "A cycle under G93 or G41 to G42.1 is an alarm. The gauge does not read these codes: the "
-     "program ends before it.",
-     "reference/rs274/codes.cpp"},
+     "A cycle under G93 is an alarm, and so is one under G41 to G42.1, which the gauge does not "
+     "read: "
+     "the program ends before it.",
+     "reference/rs274/modes.cpp"},
     {"NGC-CYC-22", must, kCycles,
      "P below zero and Q not above zero are alarms, also in a block that repeats a cycle.",
      "reference/rs274/hole_block.cpp"},
@@ -127,7 +128,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "round it. M3, M4 and M5 of the same block come before.",
      "reference/rs274/holes.hpp"},
     {"NGC-CYC-29", open, kCycles,
-     "Of a block that alarms nothing is moved. LinuxCNC and NIST's interpreter find some faults "
+     "A block that alarms moves nothing. LinuxCNC and NIST's interpreter find some faults "
      "only on the way to the first hole.",
      "reference/rs274/hole_block.cpp"},
     {"NGC-CYC-30", derived, kCycles,
@@ -177,7 +178,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "G85 feeds to the bottom and out to R, and goes on by a traverse to the level that G98 and "
      "G99 say.",
      "reference/rs274/g85.cpp", Basis::text},
-    {"NGC-G86-01", must, kBoring, "G86 needs a spindle that turns, whatever its speed.",
+    {"NGC-G86-01", must, kBoring, "G86 needs a spindle that turns, at any speed.",
      "reference/rs274/g86.cpp"},
     {"NGC-G86-02", must, kBoring,
      "G86 feeds to the bottom, dwells for P seconds, stops the spindle, leaves the hole by a "

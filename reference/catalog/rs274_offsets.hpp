@@ -29,11 +29,11 @@ inline constexpr auto kOffsetClauses = std::to_array<Clause>({
      "G10 L2 P puts the origin of coordinate system P, 1 to 9 or 0 for the one in force, where the "
      "axis words say, in coordinates of the machine, also under G91; an axis without a word keeps "
      "its own. It acts at once, and selects no system. A P that is no whole number from 0 to 9 is "
-     "an alarm. R turns the system, which the gauge does not read.",
+     "an alarm.",
      "reference/rs274/offsets.cpp"},
     {"NGC-OFS-04", must, kOffsets,
      "G10 L20 P puts the origin of system P where the position gets the coordinates that the axis "
-     "words say.",
+     "words say; along an axis without a word it keeps those that it has there.",
      "reference/rs274/offsets.cpp"},
     {"NGC-OFS-05", must, kOffsets,
      "G92 moves all coordinate systems so that the position gets the coordinates that its axis "
@@ -52,13 +52,13 @@ inline constexpr auto kOffsetClauses = std::to_array<Clause>({
      "G43 H moves the axes by the length of tool H in what follows, G43 alone by that of the tool "
      "that M6 or M61 has loaded; nothing moves. H is whole and not below zero. The length is the "
      "profile's and along Z; what H0, or no tool in the spindle, means is the tool changer's.",
-     "reference/rs274/offsets.cpp"},
+     "reference/rs274/tool_lengths.cpp"},
     {"NGC-OFS-09", must, kOffsets,
      "G43.1 puts the offset along each axis that has a word in place of the one of the tool; "
      "nothing "
      "moves, and a motion in its block is an alarm.",
-     "reference/rs274/offsets.cpp"},
-    {"NGC-OFS-10", must, kOffsets, "G49 ends the tool length.", "reference/rs274/offsets.cpp"},
+     "reference/rs274/tool_lengths.cpp"},
+    {"NGC-OFS-10", must, kOffsets, "G49 ends the tool length.", "reference/rs274/tool_lengths.cpp"},
     {"NGC-OFS-11", must, kOffsets,
      "G28 and G30 traverse to a point of the machine that the profile says (reference_point for "
      "G28, the parameters 5181 to 5186 for G30; its origin where it says nothing): without axis "
@@ -76,9 +76,31 @@ inline constexpr auto kOffsetClauses = std::to_array<Clause>({
      "judgement.",
      "reference/rs274/offsets.cpp"},
     {"NGC-OFS-15", must, kGroups,
-     "G10, G28, G30 and G92 take the axis words of their block: the motion in force does not act "
-     "there, and another code that takes them is an alarm.",
+     "G10, G28, G30, G52 and G92 take the axis words of their block: the motion in force does not "
+     "act there, and another code that takes them is an alarm.",
      "reference/rs274/offsets.cpp"},
+    {"NGC-OFS-16", must, kOffsets,
+     "G10 L2 P R turns system P by R degrees, counterclockwise as seen from above Z, about its own "
+     "origin; until R is given anew. The offset of G92 is along the turned axes, those of the "
+     "system "
+     "and of the tool are along the machine's. Threads, and arcs in G18 and G19, are not read "
+     "there.",
+     "reference/rs274/frame.cpp"},
+    {"NGC-OFS-17", must, kOffsets,
+     "G10 L1 P puts what tool P moves the axes by into the tool table; L10 puts there what gives "
+     "the position the coordinates of the axis words once G43 takes it, L11 the same in G59.3 "
+     "without an offset of G92. An axis without a word keeps its own; what is in force stays until "
+     "G43. R I J and Q do not shape the path. P is the number of a tool of the table, else an "
+     "alarm.",
+     "reference/rs274/tool_lengths.cpp"},
+    {"NGC-OFS-18", must, kOffsets,
+     "G52 puts the origin of the program where the axis words say in the coordinate system in "
+     "force, in place of the offset of G92; an axis without a word keeps its own. Nothing moves.",
+     "reference/rs274/offsets.cpp"},
+    {"NGC-OFS-19", must, kOffsets,
+     "G43.2 adds the length of tool H, or what the axis words say, to the tool length in force; "
+     "nothing moves. Without both, or with both, it is an alarm.",
+     "reference/rs274/tool_lengths.cpp"},
 });
 
 }  // namespace gonogo::reference::catalog::rs274

@@ -27,8 +27,8 @@ inline constexpr auto kThreadClauses = std::to_array<Clause>({
      "reference/rs274/synchronous.cpp"},
     {"NGC-G33-05", open, kSynchronous, "K is above zero.", "reference/rs274/synchronous.cpp"},
     {"NGC-G33-06", derived, kSynchronous,
-     "G33 is modal, of the group of motions: it ends a series of cycles. Of the words that not all "
-     "motions have it has K; with a rotary axis the gauge does not read it.",
+     "G33 is modal, of the group of motions: it ends a series of cycles. K is its only word that "
+     "not all motions have; with a rotary axis the gauge does not read it.",
      "reference/rs274/synchronous.cpp"},
     {"NGC-G331-01", must, kSynchronous,
      "G33.1 goes in step with the spindle to the point, which then turns the other way, and back; "
@@ -53,7 +53,7 @@ inline constexpr auto kThreadClauses = std::to_array<Clause>({
     {"NGC-G76-05", must, kThreading,
      "Pass n cuts J times the R-th root of n deep, counted from the peak, while that is less than "
      "K; then come 1 + H passes at K. The gauge reads an R that is a fraction of whole numbers up "
-     "to 10000.",
+     "to 10000, and follows up to 10000 passes.",
      "reference/rs274/thread_passes.hpp"},
     {"NGC-G76-06", must, kThreading,
      "A pass is cut at I and its depth beside the drive line, inside where I is above zero, with "

@@ -44,7 +44,7 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "point's axes choose.",
      "reference/sinumerik/arc.cpp"},
     {"SIE-ARC-02", must, kArcs,
-     "I J K are the centre from the start, whatever G90 and G91 say, or absolute with AC(); one "
+     "I J K are the centre from the start, under G90 and G91 alike, or absolute with AC(); one "
      "may be left out where it is 0.",
      "reference/sinumerik/arc.cpp"},
     {"SIE-ARC-03", must, kArcs,
@@ -74,7 +74,7 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "reference/sinumerik/arc.cpp"},
     {"SIE-ARC-10", derived, kArcs,
      "Whether the end is the start is decided exactly: polar points of one pole and one RP whose "
-     "angles differ by whole turns are one point, whatever the angle.",
+     "angles differ by whole turns are one point for every angle.",
      "reference/sinumerik/polar.cpp"},
     {"SIE-ARC-11", derived, kArcs,
      "An arc has one form: a centre, CR=, AR= with a centre or an end point, or a polar end point.",
@@ -134,7 +134,7 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "G96 and G97 give feeds per revolution as G95 does, G961 and G971 per minute as G94. After "
      "G96 "
      "and G961 S is a cutting speed; how fast the spindle turns is not known until an S counts "
-     "revolutions again, and G4 S is not covered. Of the 802S only G96 and G97 are read.",
+     "revolutions again, and G4 S is not covered. The 802S has only G96 and G97.",
      "reference/sinumerik/interpreter.cpp"},
     {"SIE-COM-01", derived, kModes,
      "Cutting needs a feed. An address twice, a code that the control lacks, and Cartesian with "
@@ -142,8 +142,8 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "reference/sinumerik/interpreter.cpp"},
     {"SIE-WRD-01", derived, kModes,
      "Every word of a block is used, has no meaning for the motion in force (an alarm), or is "
-     "passed "
-     "over by a rule of the list below. Names of own subprograms and variables, and addresses that "
+     "ignored by a rule of the list below. Names of own subprograms and variables, and addresses "
+     "that "
      "only the machine gives a meaning, are not covered: no alarm of the machine.",
      "reference/sinumerik/descriptor.hpp", std::nullopt,
      "What a name of the machine's owner does stands in no manual."},

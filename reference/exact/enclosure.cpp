@@ -167,16 +167,18 @@ Number plain_enclosure(Operation operation, const Number& left, const Number& ri
 }
 
 void destroy_enclosure(Node* node) noexcept {
-  std::vector<Node*> pending{node};
-  while (!pending.empty()) {
-    auto* const last = static_cast<EnclosureNode*>(pending.back());
-    pending.pop_back();
-    for (Number* operand : {&last->left, &last->right}) {
+  auto* pending = static_cast<EnclosureNode*>(node);
+  while (pending != nullptr) {
+    EnclosureNode* const first = pending;
+    pending = first->next;
+    for (Number* operand : {&first->left, &first->right}) {
       if (enclosure_node(*operand) == nullptr) continue;
-      Node* const child = NumberAccess::steal(*operand);
-      if (child->count.fetch_sub(1, std::memory_order_acq_rel) == 1) pending.push_back(child);
+      auto* const child = static_cast<EnclosureNode*>(NumberAccess::steal(*operand));
+      if (child->count.fetch_sub(1, std::memory_order_acq_rel) != 1) continue;
+      child->next = pending;
+      pending = child;
     }
-    delete last;
+    delete first;
   }
 }
 

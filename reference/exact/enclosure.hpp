@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Enclosures: values that are known as an expression over rationals and roots and can be enclosed
-// as tightly as wanted. Evaluation and release walk the expression with their own stacks, so a
-// long chain costs time and memory, never the program's stack; closed forms keep it short.
+// as tightly as wanted. Evaluation walks the expression with a stack of its own, release with a
+// list through its nodes, so a long chain costs time and memory, never the program's stack; closed
+// forms keep it short.
 #pragma once
 
 #include <optional>
@@ -34,8 +35,9 @@ struct EnclosureNode final : Node {
   const std::uint32_t depth;  // of the tree of operations: 1 + that of the deeper operand
   Number left;                // given up only by destroy_enclosure
   Number right;
-  const std::uint64_t hash;  // of the structure
-  const Interval base;       // at kBaseBits
+  const std::uint64_t hash;       // of the structure
+  const Interval base;            // at kBaseBits
+  EnclosureNode* next = nullptr;  // of those that destroy_enclosure still has to free
 };
 
 inline constexpr mpfr_prec_t kBaseBits = 128;
@@ -50,7 +52,7 @@ Number plain_enclosure(Operation operation, const Number& left, const Number& ri
 // In simplify.cpp. x op y as another number, where that holds for every value of the operands.
 // Products come in one form, k * (x * y) with a rational k first, so that equal ones show.
 std::optional<Number> simplified(Operation operation, const Number& x, const Number& y);
-// REQUIRES: x is an enclosure. Frees it and what only it holds.
+// REQUIRES: x is an enclosure. Frees it and what only it holds, and needs no memory for that.
 void destroy_enclosure(Node* node) noexcept;
 
 Interval interval_of(const Number& value, mpfr_prec_t bits);

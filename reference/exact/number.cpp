@@ -215,7 +215,7 @@ std::array<Number, 3> Number::root_parts() const {
   return {number_of(root.a), number_of(root.b), number_of(root.c)};
 }
 
-// What cannot be told from zero is as large as its width at most.
+// What may be zero is as large as its width at most.
 Number abs(const Number& value) {
   if (value.form() != Form::enclosure) return value.sign() < 0 ? -value : value;
   const std::optional<int> sign = try_sign_of_enclosure(value);

@@ -73,7 +73,7 @@ class Number {
   friend Number operator+(const Number& a, const Number& b);
   friend Number operator-(const Number& a, const Number& b);
   friend Number operator*(const Number& a, const Number& b);
-  // Throws std::domain_error when b is zero, Undecided when b cannot be told from zero.
+  // Throws std::domain_error when b is zero, Undecided when b may be zero.
   friend Number operator/(const Number& a, const Number& b);
   Number operator-() const;
   Number& operator+=(const Number& b) { return *this = *this + b; }

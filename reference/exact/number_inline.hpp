@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The small path of exact::Number: 64-bit integers of 1e-6 with overflow checks, inline. Whatever
+// The small path of exact::Number: 64-bit integers of 1e-6 with overflow checks, inline. What
 // does not fit goes to NumberAccess, out of line. Included at the end of number.hpp only.
 #pragma once
 

@@ -33,8 +33,8 @@ Number number_of(Root value);
 // a + b*sqrt(c) of any rational c >= 0, brought to the form above.
 Root make_root(mpq_class a, mpq_class b, const mpq_class& c);
 
-// Number::roots without GMP but for its result; nothing where 64 bits do not suffice for that, or
-// where the result is rational.
+// Number::roots without GMP except for its result; nothing where 64 bits do not suffice for that,
+// or where the result is rational.
 std::optional<std::array<Number, 2>> small_roots(const std::array<Number, 2>& a,
                                                  const std::array<Number, 2>& b, const Number& c,
                                                  const Number& d);

@@ -70,7 +70,7 @@ struct OffsetCentre {
   bool radius_below(const Number& length) const;
 };
 
-// The sentences of alarms. On a lathe X is told as the radius that it is here.
+// The sentences of alarms. On a lathe X is given as the radius that it is here.
 std::string radius_too_small(const ArcEnds& ends, const Number& radius);
 std::string radii_apart(const OffsetCentre& arc, const PlaneAxes& axes, bool on_lathe);
 

@@ -33,7 +33,7 @@ Centre centre_by_offsets(BlockContext& block, const PlaneAxes& axes, const ArcEn
   const OffsetCentre arc(ends, Vector_2(block.words.length(address).value_or(0),
                                         block.words.length(offset_address(axes.q)).value_or(0)));
   if (arc.is_point()) {
-    if (block.readings.is(ReadingKey::arc_zero_radius, "alarm")) {
+    if (block.readings.is("gsk.arc.zero-radius=alarm"_reading)) {
       block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, address,
                   "The radius of the arc is zero.");
     }
@@ -42,10 +42,10 @@ Centre centre_by_offsets(BlockContext& block, const PlaneAxes& axes, const ArcEn
   const Number limit = block.profile.parameter("3410").value_or(Number::millionths(10'000));
   const bool checked =
       limit.sign() > 0 ||
-      (limit.sign() == 0 && block.readings.is(ReadingKey::arc_tolerance_zero, "exact"));
+      (limit.sign() == 0 && block.readings.is("gsk.arc.tolerance-zero=exact"_reading));
   // However near its end is: no angle leads there from the centre.
   const bool has_no_radius =
-      arc.begins_at_centre() && block.readings.is(ReadingKey::arc_zero_radius, "alarm");
+      arc.begins_at_centre() && block.readings.is("gsk.arc.zero-radius=alarm"_reading);
   if (has_no_radius) {
     block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, address,
                 "The arc begins at its centre.");

@@ -28,7 +28,7 @@ namespace {
 // F of a rotary axis that moves alone: written under G20 it is scaled like a length, or in degrees.
 Number rotary_feed(const BlockContext& block) {
   const Machine& machine = block.machine;
-  if (!machine.feed_in_inch || block.readings.is(ReadingKey::rotary_feed_inch, "scaled")) {
+  if (!machine.feed_in_inch || block.readings.is("gsk.rotary-feed-inch=scaled"_reading)) {
     return machine.feed;
   }
   return machine.feed / Number::millionths(25'400'000);
@@ -61,7 +61,7 @@ void run_dwell(BlockContext& block) {
   const BlockWords& words = block.words;
   const char address = words.has('P') ? 'P' : words.has('X') ? 'X' : 'U';
   if (!words.has(address)) {
-    if (block.readings.is(ReadingKey::dwell_without_word, "alarm")) {
+    if (block.readings.is("gsk.dwell-without-word=alarm"_reading)) {
       block.missing("GSK-COM-12"_clause, 'P');
     }
     return;
@@ -101,7 +101,7 @@ void run_rename_position(BlockContext& block) {
   // GSK-MOD-05: the initial plane of a milling cycle keeps its place, under its new name.
   const Number shift = to[d] - machine.position[d];
   if (machine.milling.code != 0 && shift.sign() != 0 &&
-      block.readings.is(ReadingKey::g50_initial_plane, "shifted")) {
+      block.readings.is("gsk.g50.initial-plane=shifted"_reading)) {
     machine.milling.initial_plane += shift;
   }
   block.rename(to);

@@ -29,7 +29,7 @@ void retain_cut_words(BlockContext& block, const CuttingAxes& axes) {
   if (auto taper = block.words.length('R')) {
     retained.taper = *taper;
   } else if (is_cutting_cycle(block.codes.motion) && !block.entered_cut &&
-             block.readings.is(ReadingKey::g94_rewrite, "clear")) {
+             block.readings.is("gsk.g94.rewrite=clear"_reading)) {
     retained.taper = 0;
   }
 }
@@ -40,7 +40,7 @@ bool runs_cut(const BlockContext& block, const CuttingAxes& axes) {
     return true;
   }
   return !block.entered_cut && !block.machine.cut.empty() &&
-         block.readings.is(ReadingKey::g94_empty_block, "repeat");
+         block.readings.is("gsk.g94.empty-block=repeat"_reading);
 }
 
 // GSK-MOD-07: a retained increment is taken from A again; a retained word of an axis that is not in

@@ -86,16 +86,16 @@ void check_tool(BlockContext& block) {
 
 // abs(P); GSK-MOD-03: P holds for its block.
 Number clearance_of(const BlockContext& block) {
-  const bool modal = block.readings.is(ReadingKey::pocket_r, "modal");
+  const bool modal = block.readings.is("gsk.pocket.R=modal"_reading);
   const std::optional<Number> clearance =
       modal ? block.machine.milling.retained_clearance : block.words.length('P');
-  return clearance ? abs(*clearance) : block.readings.length(ReadingKey::pocket_p_omitted);
+  return clearance ? abs(*clearance) : block.readings.length("gsk.pocket.p-omitted"_key);
 }
 
 // GSK-G110-13; GSK-G110-17 for a pocket without depth.
 bool ends_at_initial_plane(const BlockContext& block, const MillingSite& site) {
-  if (block.readings.is(ReadingKey::pocket_end, "initial")) return true;
-  return site.depth().sign() == 0 && block.readings.is(ReadingKey::zero_depth_end, "initial");
+  if (block.readings.is("gsk.pocket.end=initial"_reading)) return true;
+  return site.depth().sign() == 0 && block.readings.is("gsk.zero-depth-end=initial"_reading);
 }
 
 Pocket make_pocket(BlockContext& block, MillingSite site) {
@@ -116,9 +116,9 @@ Pocket make_pocket(BlockContext& block, MillingSite site) {
   pocket.infeed = mode.infeed.value_or(0);
   pocket.clearance = clearance_of(block);
   // GSK-G110-09: the path is open unless a reading names one.
-  const bool any = block.readings.is(ReadingKey::pocket_path, "any");
+  const bool any = block.readings.is("gsk.pocket.path=any"_reading);
   pocket.open_path = any && block.open_paths == OpenPaths::judged;
-  pocket.concentric = block.readings.is(ReadingKey::pocket_path, "concentric");
+  pocket.concentric = block.readings.is("gsk.pocket.path=concentric"_reading);
   pocket.ends_at_initial_plane = ends_at_initial_plane(block, site);
   pocket.site = std::move(site);
   return pocket;
@@ -127,8 +127,8 @@ Pocket make_pocket(BlockContext& block, MillingSite site) {
 }  // namespace
 
 // GSK-MOD-02: the entry block and every block that mills need all four.
-void take_in_g110(BlockContext& block, bool mills) {
-  take_in_pocket_words(block);
+void latch_g110(BlockContext& block, bool mills) {
+  latch_pocket_words(block);
   if (!is_entry(block) && !mills) return;
   const MillingMode& mode = block.machine.milling;
   const std::array<NeededWord, 4> needed = {
@@ -138,7 +138,7 @@ void take_in_g110(BlockContext& block, bool mills) {
 
 void run_g110(BlockContext& block) {
   const bool mills = names_site(block);
-  take_in_g110(block, mills);
+  latch_g110(block, mills);
   if (!mills) {
     position_only(block);  // GSK-G110-14
     return;

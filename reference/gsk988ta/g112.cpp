@@ -47,7 +47,7 @@ Generator<Item> mill(MillingSite site, HelixPocket pocket, bool open_side) {
 Number pocket_turns_of(const BlockContext& block) {
   if (block.words.has('L')) return block.words.written('L');
   const std::optional<Number>& retained = block.machine.milling.turns;
-  return retained && block.readings.is(ReadingKey::helix_turns, "modal") ? *retained : Number(1);
+  return retained && block.readings.is("gsk.helix.L=modal"_reading) ? *retained : Number(1);
 }
 
 HelixPocket make_helix_pocket(BlockContext& block, const MillingSite& site) {
@@ -62,7 +62,7 @@ HelixPocket make_helix_pocket(BlockContext& block, const MillingSite& site) {
   pocket.radius = mode.radius.value() - mode.tool.value();
   pocket.turns = static_cast<std::int32_t>(pocket_turns_of(block).to_int64().value());
   pocket.sense = sense_of(mode.code);
-  pocket.flat = block.readings.is(ReadingKey::helix_flat, "on");
+  pocket.flat = block.readings.is("gsk.helix.flat=on"_reading);
   pocket.feed = site.feed;  // GSK-G112-08: along the helix
   pocket.feed_mode = site.feed_mode;
   return pocket;
@@ -71,8 +71,8 @@ HelixPocket make_helix_pocket(BlockContext& block, const MillingSite& site) {
 }  // namespace
 
 // GSK-MOD-02: the entry block and every block that mills need both.
-void take_in_g112(BlockContext& block, bool mills) {
-  take_in_pocket_words(block);
+void latch_g112(BlockContext& block, bool mills) {
+  latch_pocket_words(block);
   if (!is_entry(block) && !mills) return;
   const MillingMode& mode = block.machine.milling;
   const std::array<NeededWord, 2> needed = {{{'I', mode.radius}, {'D', mode.tool}}};
@@ -81,7 +81,7 @@ void take_in_g112(BlockContext& block, bool mills) {
 
 void run_g112(BlockContext& block) {
   const bool mills = names_site(block);
-  take_in_g112(block, mills);
+  latch_g112(block, mills);
   if (!mills) {
     position_only(block);  // GSK-G110-14
     return;
@@ -98,7 +98,7 @@ void run_g112(BlockContext& block) {
   position = site.centre;
   position[site.axes.d] = site.initial_plane;
   // The side of the entry is open unless a reading names one.
-  const bool any = cuts && block.readings.is(ReadingKey::helix_entry_side, "any");
+  const bool any = cuts && block.readings.is("gsk.helix.entry-side=any"_reading);
   HelixPocket pocket = cuts ? make_helix_pocket(block, site) : HelixPocket{};
   block.out.cycle = mill(site, std::move(pocket), any && block.open_paths == OpenPaths::judged);
 }

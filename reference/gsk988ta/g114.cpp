@@ -75,7 +75,7 @@ ThreadWords take_words(BlockContext& block) {
   check_tool(block, taken);
   // GSK-G114-12: the format of G116 and G117 prints R without brackets.
   if (!is_external(block.machine.milling.code) && !words.has('R') &&
-      block.readings.is(ReadingKey::thread_r, "required")) {
+      block.readings.is("gsk.thread.r=required"_reading)) {
     block.missing("GSK-G114-12"_clause, 'R');
   }
   return taken;
@@ -83,9 +83,9 @@ ThreadWords take_words(BlockContext& block) {
 
 ThreadRunOut run_out_of(const BlockContext& block) {
   const ReadingsInUse& readings = block.readings;
-  if (readings.is(ReadingKey::thread_runout, "radial")) return ThreadRunOut::radial;
-  if (readings.is(ReadingKey::thread_runout, "tangent")) return ThreadRunOut::tangent;
-  return readings.is(ReadingKey::thread_runout, "any") ? ThreadRunOut::open : ThreadRunOut::polar;
+  if (readings.is("gsk.thread.runout=radial"_reading)) return ThreadRunOut::radial;
+  if (readings.is("gsk.thread.runout=tangent"_reading)) return ThreadRunOut::tangent;
+  return readings.is("gsk.thread.runout=any"_reading) ? ThreadRunOut::open : ThreadRunOut::polar;
 }
 
 // J and K. K is not needed for J = 0, which is no run-out.
@@ -148,7 +148,7 @@ ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const Th
   thread.infeed = infeed.sign() > 0 ? min(infeed, thread.height) : thread.height;
   thread.runout_length = *run_out.length;
   thread.runout_angle = run_out.angle.value_or(0);
-  thread.arc_path = !block.readings.is(ReadingKey::thread_path, "any");
+  thread.arc_path = !block.readings.is("gsk.thread.path=any"_reading);
   thread.runout = run_out_of(block);
   thread.feed = site.feed;  // GSK-G114-08: along the helix
   thread.feed_mode = site.feed_mode;
@@ -173,10 +173,10 @@ void run_g114(BlockContext& block) {
     return;
   }
   const ThreadWords words = take_words(block);
-  const bool from_initial = block.readings.is(ReadingKey::thread_v_from, "initial");
+  const bool from_initial = block.readings.is("gsk.thread.v-from=initial"_reading);
   const MillingSite site =
       place_site(block, block.words.length('R').value_or(0), from_initial);  // GSK-G114-01
-  if (block.readings.is(ReadingKey::thread_direction, "alarm")) {
+  if (block.readings.is("gsk.thread.direction=alarm"_reading)) {
     check_direction(block, site, "GSK-G114-12"_clause);
   }
   check_depth(block, site);

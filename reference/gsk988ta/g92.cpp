@@ -14,7 +14,7 @@ namespace {
 // GSK-G92-06: the lead in force.
 Number lead_of(const BlockContext& block) {
   const Machine& machine = block.machine;
-  return block.readings.is(ReadingKey::g92_lead, "own") ? machine.thread_lead : machine.feed;
+  return block.readings.is("gsk.g92.lead=own"_reading) ? machine.thread_lead : machine.feed;
 }
 
 // GSK-G92-13: the inch thread, the face thread, more than one start, and a shifted start angle.

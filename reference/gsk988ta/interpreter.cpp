@@ -39,7 +39,7 @@ class Interpreter : public BlockInterpreter {
   bool has_stray_word(const BlockContext& block) const;
   void check_words(const BlockContext& block, bool last_wins) const;
   void check_cycle_words(const BlockContext& block, bool last_wins) const;
-  void take_in_entry_words(BlockContext& block) const;
+  void latch_entry_words(BlockContext& block) const;
   void run_code(BlockContext& block);
   void run_motion(BlockContext& block) const;
   void leave_milling_mode() { machine_.milling = {}; }
@@ -59,7 +59,7 @@ class Interpreter : public BlockInterpreter {
 bool Interpreter::later_wins(const grammar::Block& block) const {
   if (!repeats_address(block) && !repeats_group(block)) return false;
   if (auto parameter = profile_.parameter("3403.6")) return parameter->sign() == 0;
-  return readings_.is(ReadingKey::duplicate, "last");
+  return readings_.is("gsk.duplicate=last"_reading);
 }
 
 // Planes, units and feed modes hold from their block on.
@@ -97,14 +97,14 @@ void Interpreter::enter_cycle(BlockContext& block) {
   const CycleFamily family = family_of(code);
   block.entered_cycle = mode.family() != family;
   if (family == CycleFamily::thread && !block.entered_cycle && mode.code / 2 != code / 2) {
-    block.entered_cycle = readings_.is(ReadingKey::thread_mode, "pairs");
+    block.entered_cycle = readings_.is("gsk.thread.mode=pairs"_reading);
   }
   block.changed_pair = !block.entered_cycle && mode.code != code;
   if (block.entered_cycle) {
     mode = {};
     mode.initial_plane = machine_.position[axes_of(machine_.plane).d];  // GSK-MOD-05
     // GSK-G94-07: no code of group 01, so what a cutting cycle retains waits.
-    if (!machine_.cut.empty() && readings_.is(ReadingKey::g94_in_mode, "clear")) {
+    if (!machine_.cut.empty() && readings_.is("gsk.g94.in-mode=clear"_reading)) {
       machine_.cut.clear();
     }
   }
@@ -121,7 +121,7 @@ void Interpreter::take_cycle_code(BlockContext& block) {
   } else if (code > 0) {
     enter_cycle(block);
   } else if (machine_.milling.family() == CycleFamily::thread && block.words.any() &&
-             readings_.is(ReadingKey::thread_modal, "none")) {
+             readings_.is("gsk.thread.modal=none"_reading)) {
     leave_milling_mode();  // GSK-MOD-04
   }
 }
@@ -130,7 +130,7 @@ void Interpreter::take_feed(const BlockWords& words) {
   if (!words.has('F')) return;
   // GSK-G92-06: there F is the lead, apart from the feed unless a reading says that F is one word.
   if (machine_.motion == 92 && machine_.milling.code == 0 &&
-      readings_.is(ReadingKey::g92_lead, "own")) {
+      readings_.is("gsk.g92.lead=own"_reading)) {
     machine_.thread_lead = words.length('F').value();
     return;
   }
@@ -139,7 +139,7 @@ void Interpreter::take_feed(const BlockWords& words) {
   if (machine_.feed_in_inch) machine_.feed = inches(machine_.feed);
 }
 
-// GSK-WRD-01: what no code of the block uses and no rule passes over ends the program, before what
+// GSK-WRD-01: what no code of the block uses and no rule ignores ends the program, before what
 // is wrong; but beside codes that are wrong it is not known whose a word is.
 bool Interpreter::has_stray_word(const BlockContext& block) const {
   BlockOutput& out = block.out;
@@ -159,10 +159,10 @@ void Interpreter::check_words(const BlockContext& block, bool last_wins) const {
   check_code_groups(words, block.codes, alarms);
   check_feed_word(words, alarms);
   if (block.codes.once != 4 && has_fine_words(words.block(), profile_, machine_.units) &&
-      readings_.is(ReadingKey::decimals, "alarm")) {
+      readings_.is("gsk.decimals=alarm"_reading)) {
     check_decimals(words, profile_, machine_.units, alarms);
   }
-  // The words of a code of group 00 are its own, but for those of a cycle that is entered.
+  // The words of a code of group 00 are its own, except those of a cycle that is entered.
   if (block.codes.once < 0 || is_entry(block)) check_cycle_words(block, last_wins);
 }
 
@@ -174,20 +174,20 @@ void Interpreter::check_cycle_words(const BlockContext& block, bool last_wins) c
   check_ranges(words, *block.code_in_force(), family, last_wins, profile_, machine_.units, alarms);
   if (family == CycleFamily::helix) check_turns(words, alarms);
   if (family == CycleFamily::thread && words.has('K')) {
-    check_run_out_angle(words, readings_.is(ReadingKey::thread_k_range, "360"), profile_,
+    check_run_out_angle(words, readings_.is("gsk.thread.k-range=360"_reading), profile_,
                         machine_.units, alarms);
   }
 }
 
 // GSK-MOD-02: the entry block gives the words of the mode, milling or not.
-void Interpreter::take_in_entry_words(BlockContext& block) const {
+void Interpreter::latch_entry_words(BlockContext& block) const {
   if (!is_entry(block)) return;
-  if (machine_.milling.family() == CycleFamily::pocket) take_in_g110(block, false);
-  if (machine_.milling.family() == CycleFamily::helix) take_in_g112(block, false);
+  if (machine_.milling.family() == CycleFamily::pocket) latch_g110(block, false);
+  if (machine_.milling.family() == CycleFamily::helix) latch_g112(block, false);
 }
 
 void Interpreter::run_code(BlockContext& block) {
-  if (block.codes.once >= 0) take_in_entry_words(block);
+  if (block.codes.once >= 0) latch_entry_words(block);
   switch (block.codes.once) {
     case 4:
       run_dwell(block);
@@ -205,7 +205,7 @@ void Interpreter::run_code(BlockContext& block) {
     // GSK-MOD-08 (GSK-G94-07, GSK-G90-07, GSK-G92-11): a code of group 00 other than G04 clears
     // what a cutting cycle retains.
     machine_.cut.clear();
-    if (is_cutting_cycle(machine_.motion) && readings_.is(ReadingKey::g94_after_00, "cancelled")) {
+    if (is_cutting_cycle(machine_.motion) && readings_.is("gsk.g94.after-00=cancelled"_reading)) {
       machine_.motion = 0;
     }
     return;
@@ -282,7 +282,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   const BlockCodes& codes = reading_.codes;
   take_modes(codes);
   const bool round = codes.once != 4 && has_fine_words(block, profile_, machine_.units) &&
-                     readings_.is(ReadingKey::decimals, "nearest");
+                     readings_.is("gsk.decimals=nearest"_reading);
   BlockWords words(block, profile_, machine_.units, round);
   BlockContext context{
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, open_paths_};

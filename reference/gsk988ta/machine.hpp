@@ -72,7 +72,7 @@ struct BlockContext : BlockBase {
 
   // GSK-COM-04: an alarm when no feed is in force.
   void need_feed();
-  // The code that it runs, but for one of group 00: a milling cycle, or one of group 01. Null:
+  // The code that it runs, except one of group 00: a milling cycle, or one of group 01. Null:
   // none.
   const Code* code_in_force() const {
     return code_of(machine.milling.code != 0 ? machine.milling.code : machine.motion);
@@ -94,8 +94,8 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to);
 
 // The words that G110 and G112 keep in force, and that none is missing (GSK-MOD-02). `mills`: the
 // block says where, so they must be above zero too.
-void take_in_g110(BlockContext& block, bool mills);
-void take_in_g112(BlockContext& block, bool mills);
+void latch_g110(BlockContext& block, bool mills);
+void latch_g112(BlockContext& block, bool mills);
 
 // The cycles, one file each.
 void run_g90(BlockContext& block);

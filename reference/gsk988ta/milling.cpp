@@ -92,8 +92,7 @@ MillingSite place_site(BlockContext& block, const Number& r, bool depth_from_ini
   site.feed = machine.feed;
   site.feed_mode = machine.feed_mode;
   // GSK-G110-18: as the depth axis X is a diameter as everywhere.
-  const bool diameter =
-      site.axes.d != Axis::x || block.readings.is(ReadingKey::x_depth, "diameter");
+  const bool diameter = site.axes.d != Axis::x || block.readings.is("gsk.x-depth=diameter"_reading);
   const AxisWord depth = block.words.axis_word(site.axes.d, diameter).value();
   if (depth.incremental) {
     site.travel = depth_from_initial ? depth.value - r : depth.value;
@@ -106,14 +105,14 @@ MillingSite place_site(BlockContext& block, const Number& r, bool depth_from_ini
 }
 
 Number r_of_pocket(const BlockContext& block) {
-  const bool modal = block.readings.is(ReadingKey::pocket_r, "modal");
+  const bool modal = block.readings.is("gsk.pocket.R=modal"_reading);
   const std::optional<Number> r =
       modal ? block.machine.milling.retained_r : block.words.length('R');
   return r.value_or(0);
 }
 
 void position_only(BlockContext& block) {
-  if (!block.readings.is(ReadingKey::missing_axis, "position")) return;
+  if (!block.readings.is("gsk.missing-axis=position"_reading)) return;
   Position to;
   const AxisSet moved = positioned_axes(block, axes_of(block.machine.plane), to);
   if (moved.empty()) return;
@@ -144,7 +143,7 @@ void check_direction(BlockContext& block, const MillingSite& site, ClauseId clau
 void check_depth(BlockContext& block, const MillingSite& site) {
   if (decided("GSK-G110-17"_clause, "depth", site.travel) != 0) {
     block.need_feed();
-  } else if (block.readings.is(ReadingKey::zero_depth, "alarm")) {
+  } else if (block.readings.is("gsk.zero-depth=alarm"_reading)) {
     block.alarm(AlarmClass::value_out_of_range, "GSK-G110-17"_clause,
                 addresses_of(site.axes.d).absolute,
                 with_values("R and the bottom are both {} mm: there is no depth to be milled.",
@@ -182,9 +181,9 @@ void check_tool_radius(BlockContext& block, ClauseId clause) {
                           {*mode.radius, *mode.tool}));
 }
 
-void take_in_pocket_words(BlockContext& block) {
+void latch_pocket_words(BlockContext& block) {
   MillingMode& mode = block.machine.milling;
-  if (block.changed_pair && block.readings.is(ReadingKey::pocket_pair, "each")) {
+  if (block.changed_pair && block.readings.is("gsk.pocket.pair=each"_reading)) {
     mode.radius = mode.step = mode.turns = mode.infeed = mode.tool = std::nullopt;
   }
   const BlockWords& words = block.words;
@@ -202,7 +201,7 @@ void take_in_pocket_words(BlockContext& block) {
 
 bool is_entry(const BlockContext& block) {
   return block.entered_cycle ||
-         (block.changed_pair && block.readings.is(ReadingKey::pocket_pair, "each"));
+         (block.changed_pair && block.readings.is("gsk.pocket.pair=each"_reading));
 }
 
 }  // namespace gonogo::reference::gsk988ta

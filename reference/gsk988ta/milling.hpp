@@ -71,7 +71,7 @@ void check_needed(BlockContext& block, std::span<const NeededWord> words, bool m
 // GSK-G110-03, GSK-G112-02: I > D.
 void check_tool_radius(BlockContext& block, ClauseId clause);
 // GSK-MOD-02: I, L, Q, D, R and P that the mode takes in from every block, milling or not.
-void take_in_pocket_words(BlockContext& block);
+void latch_pocket_words(BlockContext& block);
 // Whether the words that the mode needs are looked for in this block: it enters the mode, or mills.
 bool is_entry(const BlockContext& block);
 

@@ -7,7 +7,7 @@
 
 namespace gonogo::reference::gsk988ta {
 
-// The first word of the block that its code does not use and no rule passes over, and the code;
+// The first word of the block that its code does not use and no rule ignores, and the code;
 // null: there is none.
 struct StrayWord {
   const grammar::Word* word = nullptr;

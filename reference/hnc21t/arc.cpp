@@ -29,7 +29,7 @@ Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
 }
 
 void refuse_zero_radius(BlockContext& block, std::string message) {
-  if (!block.readings.is(ReadingKey::hnc_arc_zero_radius, "alarm")) return;
+  if (!block.readings.is("hnc.arc.zero-radius=alarm"_reading)) return;
   block.alarm(AlarmClass::arc_radius, "HNC-COM-01"_clause, block.words.has('K') ? 'K' : 'I',
               std::move(message));
 }

@@ -14,7 +14,7 @@ void BlockContext::need_feed() {
   const Number own =
       is_cycle(machine.motion) ? machine.command.feed.value_or(0) : machine.plain_feed;
   const bool same = own == machine.latest_feed;
-  machine.feed = same || readings.is(ReadingKey::hnc_modal_f, "feed") ? machine.latest_feed : own;
+  machine.feed = same || readings.is("hnc.modal.f=feed"_reading) ? machine.latest_feed : own;
   BlockBase::need_feed("HNC-COM-01"_clause);
 }
 
@@ -22,7 +22,7 @@ Number BlockContext::offset(Axis axis) const {
   if (machine.offset >= 0) return machine.offsets[static_cast<std::size_t>(machine.offset)][axis];
   const Number& first = machine.offsets.front()[axis];
   if (first.sign() == 0) return 0;
-  return readings.is(ReadingKey::hnc_offset_initial, "G54") ? first : Number(0);
+  return readings.is("hnc.offset.initial=G54"_reading) ? first : Number(0);
 }
 
 std::optional<Number> BlockContext::commanded(const AxisAddresses& axis) const {
@@ -34,17 +34,20 @@ std::optional<Number> BlockContext::commanded(const AxisAddresses& axis) const {
 // HNC-G82-07: J is an inch lead, or as a reading says so many threads to the inch.
 Number BlockContext::lead() const {
   const Lead& lead = machine.command.lead.value();
-  const auto is = [&](std::string_view alternative) {
-    return readings.is(ReadingKey::hnc_lead_unit, alternative);
-  };
   switch (lead.kind) {
     case Lead::Kind::millimetres:
       break;
     case Lead::Kind::f_under_g20:
-      return is("units") || is("units-tpi") ? inches(lead.value) : lead.value;
+      return readings.is("hnc.lead.unit=units"_reading) ||
+                     readings.is("hnc.lead.unit=units-tpi"_reading)
+                 ? inches(lead.value)
+                 : lead.value;
     case Lead::Kind::j:
       if (lead.value.sign() <= 0) break;  // an alarm of its block
-      return is("tpi") || is("units-tpi") ? inches(1) / lead.value : inches(lead.value);
+      return readings.is("hnc.lead.unit=tpi"_reading) ||
+                     readings.is("hnc.lead.unit=units-tpi"_reading)
+                 ? inches(1) / lead.value
+                 : inches(lead.value);
   }
   return lead.value;
 }

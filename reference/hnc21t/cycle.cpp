@@ -50,16 +50,16 @@ bool does_nothing(const BlockContext& block, std::span<const AxisAddresses> need
   }
   const auto lacks = [&](const AxisAddresses& axis) { return !block.words.has(axis); };
   return std::ranges::any_of(needed, lacks) &&
-         block.readings.is(ReadingKey::hnc_missing_axis, "nothing");
+         block.readings.is("hnc.missing-axis=nothing"_reading);
 }
 
 std::optional<Number> cycle_end_point(BlockContext& block, const AxisAddresses& axis) {
   std::optional<Number>& last = block.machine.command.end(axis.axis);
   if (auto word = block.commanded(axis)) {
     last = word;
-  } else if (block.readings.is(ReadingKey::hnc_missing_axis, "none")) {
+  } else if (block.readings.is("hnc.missing-axis=none"_reading)) {
     last = block.machine.position[axis.axis];
-  } else if (!last || !block.readings.is(ReadingKey::hnc_missing_axis, "keep")) {
+  } else if (!last || !block.readings.is("hnc.missing-axis=keep"_reading)) {
     block.missing("HNC-MOD-03"_clause, axis.absolute);
     return std::nullopt;
   }

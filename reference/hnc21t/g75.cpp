@@ -35,7 +35,7 @@ bool has_bad_count(const BlockContext& block, char address) {
 }
 
 bool counted_by_p(const BlockContext& block) {
-  return block.readings.is(ReadingKey::hnc_g75_i, "P");
+  return block.readings.is("hnc.g75.i=P"_reading);
 }
 
 // The number of steps is a positive whole one, in every block that writes it.
@@ -84,11 +84,11 @@ Generator<Item> run_groove(Groove groove) {
 void widen(BlockContext& block, Groove& groove, const Number& steps) {
   groove.wide = true;
   groove.width = block.commanded(kZ).value() - groove.start;
-  const bool as_many = block.readings.is(ReadingKey::hnc_g75_steps, "i");
+  const bool as_many = block.readings.is("hnc.g75.steps=i"_reading);
   groove.plunges = as_many ? steps : steps + 1;
   groove.intervals = groove.plunges - 1;
   if (groove.width.sign() == 0) return;
-  groove.returns = block.readings.is(ReadingKey::hnc_g75_end, "start");
+  groove.returns = block.readings.is("hnc.g75.end=start"_reading);
   if (!groove.returns) block.machine.position[Axis::z] = groove.start + groove.width;
 }
 

@@ -46,7 +46,7 @@ RunOut run_out_of(const BlockContext& block) {
   if (command.r) run_out.along_z = command.r->value;
   if (command.e) run_out.along_x = command.e->value;
   if (command.r && run_out.along_x.sign() != 0 && command.e->diameter &&
-      block.readings.is(ReadingKey::hnc_g82_e_scale, "diameter")) {
+      block.readings.is("hnc.g82.e-scale=diameter"_reading)) {
     run_out.along_x = run_out.along_x / 2;
   }
   return run_out;
@@ -91,7 +91,7 @@ Number passes_of(BlockContext& block) {
     block.missing("HNC-G82-11"_clause, 'P');
     return 1;
   }
-  return block.readings.is(ReadingKey::hnc_g82_starts, "all") ? starts : Number(1);
+  return block.readings.is("hnc.g82.starts=all"_reading) ? starts : Number(1);
 }
 
 // HNC-G82-06, HNC-G82-09: the angle of pass k, in [0, 360). A thread with a single start begins at
@@ -166,16 +166,15 @@ void run_g82(BlockContext& block) {
 
   const Position& a = block.machine.position;
   block.name_corners(Axis::x, Axis::z, command.i.value_or(0), c->over(a));
-  block.out.cycle =
-      cut_thread({.motions = CycleMotions(block),
-                  .command = command,
-                  .a_x = a[Axis::x],
-                  .a_z = a[Axis::z],
-                  .c = *c,
-                  .run_out = run_out,
-                  .passes = passes,
-                  .lead = block.lead(),
-                  .exits_as_thread = block.readings.is(ReadingKey::hnc_g82_exit, "feed")});
+  block.out.cycle = cut_thread({.motions = CycleMotions(block),
+                                .command = command,
+                                .a_x = a[Axis::x],
+                                .a_z = a[Axis::z],
+                                .c = *c,
+                                .run_out = run_out,
+                                .passes = passes,
+                                .lead = block.lead(),
+                                .exits_as_thread = block.readings.is("hnc.g82.exit=feed"_reading)});
 }
 
 }  // namespace gonogo::reference::hnc21t

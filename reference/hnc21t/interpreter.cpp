@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One block: its codes change the modal state, then the code in force runs. HNC-WRD-01: a word that
-// no code uses and no rule passes over is not covered.
+// no code uses and no rule ignores is not covered.
 #include "reference/hnc21t/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -118,7 +118,7 @@ void Interpreter::check_mill_words(const BlockWords& words, const BlockCodes& co
   }
 }
 
-// HNC-WRD-01: what no code of the block uses and no rule passes over.
+// HNC-WRD-01: what no code of the block uses and no rule ignores.
 void Interpreter::check_stray_words(const BlockWords& words, const BlockCodes& codes,
                                     std::uint64_t line, BlockOutput& out) const {
   if (out.not_covered) return;

@@ -28,7 +28,7 @@ struct ScaledLength {
 
 // F or J of G32 and G82 as written; what it means is a reading.
 struct Lead {
-  // F written under G21 is in mm whatever the reading.
+  // F written under G21 is in mm under each reading.
   enum class Kind : std::uint8_t { millimetres, f_under_g20, j };
   Number value;
   Kind kind = Kind::millimetres;

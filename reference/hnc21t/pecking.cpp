@@ -32,7 +32,7 @@ PeckLengths lengths_of(const BlockContext& block, Axis axis, const Number& depth
   const PeckLengths as_diameters = halved(e, step);
   const bool matters =
       axis == Axis::x && (e.diameter || step.diameter) && as_diameters.step < depth;
-  if (matters && block.readings.is(ReadingKey::hnc_g75_depth_scale, "diameter")) {
+  if (matters && block.readings.is("hnc.g75.depth-scale=diameter"_reading)) {
     return as_diameters;
   }
   return {e.value, step.value};
@@ -42,7 +42,7 @@ PeckLengths lengths_of(const BlockContext& block, Axis axis, const Number& depth
 // bottom both ways.
 bool counts_from_withdrawn(const BlockContext& block, const Plunge& plunge, const Number& depth) {
   if (depth <= plunge.step * 2 - plunge.withdrawal) return false;
-  return block.readings.is(ReadingKey::hnc_peck_from, "withdrawn");
+  return block.readings.is("hnc.peck.from=withdrawn"_reading);
 }
 
 // Pecks and withdrawals to the depth.
@@ -68,14 +68,13 @@ void plan_pecks(BlockContext& block, Plunge& plunge, const PlungeClauses& clause
   }
   // HNC-G74-04: the first withdrawal is the one that may pass A.
   plunge.clamped = decided("HNC-G74-04"_clause, "R - Q", plunge.withdrawal, plunge.step) > 0 &&
-                   block.readings.is(ReadingKey::hnc_peck_clamp, "start");
-  plunge.withdraws_at_feed = block.readings.is(ReadingKey::hnc_peck_withdraw, "feed");
+                   block.readings.is("hnc.peck.clamp=start"_reading);
+  plunge.withdraws_at_feed = block.readings.is("hnc.peck.withdraw=feed"_reading);
 }
 
 // A traverse to X and dK further at the feed.
 void plan_approach(BlockContext& block, Plunge& plunge, const PlungeClauses& clauses) {
-  if (!is_positive(block.machine.command.q) ||
-      !block.readings.is(ReadingKey::hnc_g75_mode3, "on")) {
+  if (!is_positive(block.machine.command.q) || !block.readings.is("hnc.g75.mode3=on"_reading)) {
     return;
   }
   if (plunge.direction == 0) {
@@ -88,7 +87,7 @@ void plan_approach(BlockContext& block, Plunge& plunge, const PlungeClauses& cla
   }
   const CommandWords& command = block.machine.command;
   const bool halves =
-      command.q->diameter && block.readings.is(ReadingKey::hnc_g75_depth_scale, "diameter");
+      command.q->diameter && block.readings.is("hnc.g75.depth-scale=diameter"_reading);
   const Number step = halves ? command.q->value / 2 : command.q->value;
   plunge.approach = plunge.bottom;
   plunge.bottom += step * plunge.direction;

@@ -29,8 +29,8 @@ struct Plunge {
   bool withdraws_at_feed = false;  // hnc.peck.withdraw = feed
   std::optional<Number> approach;  // hnc.g75.mode3 = on: a traverse to here first
 
-  // Where peck k (from 1) ends but for the last one, and the withdrawal after it. Closed forms, so
-  // that the millionth is as exact as the first.
+  // Where peck k (from 1) ends except for the last one, and the withdrawal after it. Closed forms,
+  // so that the millionth is as exact as the first.
   Number end_of_peck(const Number& k) const;
   Number withdrawn_after(const Number& k) const;
 

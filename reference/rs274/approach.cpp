@@ -90,7 +90,7 @@ bool returns_above_r(const HoleAhead& ahead) {
   if (is_never_above) return false;
   const Retract said = block.machine.retract;
   if (said != Retract::unsaid) return said == Retract::initial_level;
-  return block.readings.is(ReadingKey::ngc_cycle_retract_start, "initial");
+  return block.readings.is("ngc.cycle.retract-start=initial"_reading);
 }
 
 // The way of ngc.cycle.approach = initial-level as a function of I0.
@@ -120,7 +120,7 @@ Approach approach(const HoleAhead& ahead) {
   const auto other = by_initial_level(ahead);
   const bool alike =
       ahead.initial.always([&](const Number& initial) { return other(initial) == usual; });
-  if (alike || !ahead.block.readings.is(ReadingKey::ngc_cycle_approach, "initial-level")) {
+  if (alike || !ahead.block.readings.is("ngc.cycle.approach=initial-level"_reading)) {
     return usual;
   }
   return ahead.initial.of(other);

@@ -9,7 +9,7 @@
 
 namespace gonogo::reference::rs274 {
 
-// Traverses one behind the other; none that leads nowhere.
+// Traverses one behind the other; no negligible one.
 struct Approach {
   std::vector<Record> traverses;
   std::size_t lifts = 0;  // how many of them come before the tool crosses to the hole

@@ -29,7 +29,7 @@ struct Arc {
 };
 
 bool is_linuxcnc(const BlockContext& block) {
-  return block.readings.is(ReadingKey::ngc_arc_tolerance, "linuxcnc");
+  return block.readings.is("ngc.arc-tolerance=linuxcnc"_reading);
 }
 
 // NGC-ARC-05: how many turns are begun. Nothing when the rules are broken.
@@ -154,7 +154,7 @@ std::optional<OffsetCentre> offset_centre(BlockContext& block, const Arc& arc) {
 
 // NGC-ARC-02. Nothing when the rules are broken.
 Centre centre_by_offsets(BlockContext& block, const Arc& arc) {
-  if (!arc.names_plane() && block.readings.is(ReadingKey::ngc_full_circle_words, "needed")) {
+  if (!arc.names_plane() && block.readings.is("ngc.full-circle-words=needed"_reading)) {
     block.missing("NGC-ARC-04"_clause, address_of(arc.axes.p));
   }
   const std::optional<OffsetCentre> found = offset_centre(block, arc);
@@ -165,7 +165,7 @@ Centre centre_by_offsets(BlockContext& block, const Arc& arc) {
   return found->centre;
 }
 
-// NGC-ARC-02, NGC-COM-01: which words an arc has. Whether it can be worked out.
+// NGC-ARC-02, NGC-COM-01: which words an arc has. Whether it can be computed.
 bool check_words(BlockContext& block, const PlaneAxes& axes) {
   const BlockWords& words = block.words;
   const char third = offset_address(axes.d);

@@ -6,7 +6,7 @@
 
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
-#include "reference/rs274/machine.hpp"
+#include "reference/rs274/tool_lengths.hpp"
 
 namespace gonogo::reference::rs274 {
 
@@ -14,15 +14,18 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to) {
   AxisSet axes;
   const Machine& machine = block.machine;
   to = machine.position;
+  const bool is_of_machine = block.codes.once == 530;
+  Position places;
   for (const AxisLetter& letter : kAxisLetters) {
     const std::optional<Number> value = block.words.along(letter);
     if (!value) continue;
     axes.add(letter.axis);
-    if (block.codes.once == 530) {  // NGC-OFS-13
-      to[letter.axis] = *value - machine.offsets.origin[letter.axis];
-    } else {
-      to[letter.axis] = machine.modes.incremental ? to[letter.axis] + *value : *value;
-    }
+    places[letter.axis] = *value;
+    to[letter.axis] = machine.modes.incremental ? to[letter.axis] + *value : *value;
+  }
+  // NGC-OFS-13
+  if (is_of_machine) {
+    to = at_machine_places(machine.offsets.frame, machine.position, axes, places);
   }
   return axes;
 }
@@ -31,7 +34,7 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to) {
 void run_bare_motion(BlockContext& block) {
   const ClauseId clause = "NGC-MOD-02"_clause;
   if (block.codes.motion < 0) return;
-  if (block.readings.is(ReadingKey::ngc_bare_motion, "missing-word")) {
+  if (block.readings.is("ngc.bare-motion=missing-word"_reading)) {
     block.missing(clause, 'X');
   } else if (block.codes.motion == 1) {
     block.need_feed(clause);
@@ -46,15 +49,30 @@ void run_traverse(BlockContext& block) {
   block.put(block.motion_to(RecordKind::rapid, "NGC-G0-01"_clause, axes, to));
 }
 
+// NGC-FED-01: the way that F of inverse time counts; of the rotary axes where they move alone.
+Number way_of_feed(const Position& from, const Position& to, bool rotary) {
+  Number squares;
+  for (const Axis axis : kAllAxes) {
+    if (is_linear(axis) == rotary) continue;
+    const Number way = to[axis] - from[axis];
+    squares += way * way;
+  }
+  return exact::sqrt(squares);
+}
+
 // NGC-G0-01
 void run_straight_feed(BlockContext& block) {
   Position to;
   const AxisSet axes = commanded_end_point(block, to);
   if (axes.empty()) return run_bare_motion(block);
-  block.need_feed("NGC-G0-01"_clause);
+  const Machine& machine = block.machine;
+  if (!machine.is_inverse_time) block.need_feed("NGC-G0-01"_clause);
   const bool rotary = block.turns_alone(to);
+  const Number feed = machine.is_inverse_time ? block.words.written('F') *
+                                                    way_of_feed(machine.position, to, rotary)
+                                              : machine.feed;
   Record record = block.motion_to(RecordKind::feed, "NGC-G0-01"_clause, axes, to);
-  if (rotary) record.feed = block.machine.rotary_feed;
+  record.feed = rotary && !machine.is_inverse_time ? machine.rotary_feed : feed;
   block.put(std::move(record));
 }
 

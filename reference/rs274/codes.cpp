@@ -11,8 +11,7 @@ namespace gonogo::reference::rs274 {
 namespace {
 
 // NGC-COM-01 for codes that are read or have no effect. NGC-CYC-30: one code of a group in a block.
-// NGC-CYC-21: what forbids a cycle is among the codes that are not read. NGC-G87-01, NGC-G88-01: so
-// are two cycles whose path the documents leave undefined.
+// NGC-G87-01, NGC-G88-01: two cycles whose path the documents leave undefined are not read.
 constexpr GCodeTable kTable{table::kCodes, "NGC-COM-01"_clause, "NGC-COM-01"_clause};
 
 // NGC-COM-01: the code whose number the word has, or is near enough to. Null: the language has
@@ -50,7 +49,7 @@ struct BesideG80 {
     if (code == nullptr || code->group != Group::motion) return;
     ++(code->tenths == kG80 ? g80 : others);
   }
-  // Whether but for a G80 the group would have one code, and nothing else is wrong with the codes.
+  // Whether without a G80 the group would have one code, and nothing else is wrong with the codes.
   bool matters() const { return decides && others <= 1 && g80 >= 1 && others + g80 >= 2; }
 };
 
@@ -69,7 +68,7 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
     if (word.address == 'G') beside.add(code_of(word, readings));
   }
   const bool is_beside = beside.matters();
-  const bool alarms = is_beside && !readings.is(ReadingKey::ngc_g80_beside, "ignored");
+  const bool alarms = is_beside && !readings.is("ngc.g80-beside=ignored"_reading);
   int motions = 0;
   int acting = 0;  // of them
   Letters of_motions = 0;
@@ -97,6 +96,9 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
                    .motion = reading.of(Group::motion),
                    .plane = reading.of(Group::plane),
                    .units = reading.of(Group::units),
+                   .diameter = reading.of(Group::diameter),
+                   .feed_mode = reading.of(Group::feed_mode),
+                   .speed = reading.of(Group::speed),
                    .path_mode = reading.of(Group::path_mode),
                    .distance = reading.of(Group::distance),
                    .arc_distance = reading.of(Group::arc_distance),

@@ -82,6 +82,14 @@ inline constexpr auto kToolNumber = std::to_array<CodeWord>({
     {"Q", number, "tool"},
 });
 
+inline constexpr auto kSurfaceSpeed = std::to_array<CodeWord>({
+    {"D", speed, "highest speed of the spindle"},
+});
+inline constexpr auto kSubprogram = std::to_array<CodeWord>({
+    {"P", number, "subprogram"},
+    {"L", count, "how often it runs"},
+});
+
 inline constexpr auto kOrigin = std::to_array<CodeWord>({
     {"X", number, "coordinate, or way of an origin"},
     {"Y", number, "coordinate, or way of an origin"},
@@ -90,9 +98,13 @@ inline constexpr auto kOrigin = std::to_array<CodeWord>({
     {"C", number, "coordinate, or way of an origin, degrees", Life::block, "rotary"},
 });
 inline constexpr auto kSystem = std::to_array<CodeWord>({
-    {"L", number, "2: the origin; 20: the coordinates of the position"},
-    {"P", number, "coordinate system, 0 the one in force"},
-    {"R", angle, "rotation, of L2; no other one than 0 is read"},
+    {"L", number, "2, 20: a coordinate system; 1, 10, 11: a tool of the table"},
+    {"P", number, "coordinate system, 0 the one in force; or a tool"},
+    {"R", number, "rotation in X and Y, degrees, of L2; radius of a tool", Life::block,
+     "local-offsets"},
+    {"I", number, "front angle of a tool", Life::block, "local-offsets"},
+    {"J", number, "back angle of a tool", Life::block, "local-offsets"},
+    {"Q", number, "orientation of a tool", Life::block, "local-offsets"},
 });
 inline constexpr auto kToolLength = std::to_array<CodeWord>({
     {"H", number, "tool"},
@@ -158,8 +170,10 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("G5.1", Group::motion, "quadratic spline"),
     outside("G5.2", Group::motion, "spline of control points"),
     outside("G5.3", Group::motion, "end of the spline"),
-    outside("G7", Group::diameter, "diameter programming"),
-    no_effect("G8", Group::diameter, "radius programming").needing("linuxcnc").initial(),
+    sets("G7", Group::diameter, Setting::diameter, "diameter programming").needing("linuxcnc"),
+    sets("G8", Group::diameter, Setting::radius, "radius programming")
+        .needing("linuxcnc")
+        .initial(),
     does(Kind::rename, Group::once, "NGC-OFS-03"_clause, "offsets", {kOrigin, kSystem})
         .named("G10", "setting of a coordinate system"),
     sets("G17", Group::plane, Setting::plane_xy, "plane XY"),
@@ -194,11 +208,14 @@ inline constexpr auto kCodes = std::to_array<Code>({
         .needing("offsets"),
     does(Kind::rename, Group::tool_length, "NGC-OFS-09"_clause, "offsets", {kOrigin})
         .named("G43.1", "dynamic tool length offset"),
-    outside("G43.2", Group::tool_length, "additional tool length offset"),
+    does(Kind::rename, Group::tool_length, "NGC-OFS-19"_clause, "local-offsets",
+         {kOrigin, kToolLength})
+        .named("G43.2", "additional tool length offset"),
     sets("G49", Group::tool_length, Setting::none, "tool length offset off").initial(),
     outside("G50", Group::scaling, "scaling off"),
     outside("G51", Group::scaling, "scaling"),
-    outside("G52", Group::once, "local coordinate system"),
+    does(Kind::rename, Group::once, "NGC-OFS-18"_clause, "local-offsets", {kOrigin})
+        .named("G52", "local coordinate system"),
     sets("G53", Group::once, Setting::none, "machine coordinates").needing("offsets"),
     sets("G54", Group::offset, Setting::none, "coordinate system 1").initial(),
     kSystemOf.named("G55", "coordinate system 2"),
@@ -247,11 +264,15 @@ inline constexpr auto kCodes = std::to_array<Code>({
     kShiftSwitch.named("G92.1", "offset cancelled and cleared"),
     kShiftSwitch.named("G92.2", "offset cancelled"),
     kShiftSwitch.named("G92.3", "offset restored"),
-    outside("G93", Group::feed_mode, "inverse time feed"),
-    no_effect("G94", Group::feed_mode, "feed per minute").initial(),
-    outside("G95", Group::feed_mode, "feed per revolution"),
-    outside("G96", Group::speed, "constant surface speed"),
-    no_effect("G97", Group::speed, "constant spindle speed").needing("linuxcnc").initial(),
+    sets("G93", Group::feed_mode, Setting::none, "inverse time feed").needing("feed-modes"),
+    sets("G94", Group::feed_mode, Setting::none, "feed per minute").initial(),
+    sets("G95", Group::feed_mode, Setting::none, "feed per revolution").needing("feed-modes"),
+    sets("G96", Group::speed, Setting::none, "constant surface speed")
+        .with({kSurfaceSpeed})
+        .needing("linuxcnc"),
+    sets("G97", Group::speed, Setting::none, "constant spindle speed")
+        .needing("linuxcnc")
+        .initial(),
     sets("G98", Group::retract, Setting::none, "return to the initial level"),
     sets("G99", Group::retract, Setting::none, "return to the R level"),
     m_function("M0", Kind::stop, Group::program, "stop"),
@@ -294,10 +315,13 @@ inline constexpr auto kCodes = std::to_array<Code>({
     m_function("M70", Kind::machine, Group::saved_modes, "modes saved").needing("linuxcnc"),
     m_function("M71", Kind::machine, Group::saved_modes, "saved modes forgotten")
         .needing("linuxcnc"),
-    outside("M72", Group::saved_modes, "modes restored"),
-    outside("M73", Group::saved_modes, "modes saved, and restored after the subroutine"),
-    outside("M98", Group::program, "call of a subprogram"),
-    outside("M99", Group::program, "end of a subprogram"),
+    m_function("M72", Kind::machine, Group::saved_modes, "modes restored").needing("linuxcnc"),
+    m_function("M73", Kind::machine, Group::saved_modes,
+               "modes saved, and restored after the subroutine")
+        .needing("linuxcnc"),
+    m_function("M98", Kind::stop, Group::program, "call of a subprogram", {kSubprogram})
+        .needing("subprograms"),
+    m_function("M99", Kind::stop, Group::program, "end of a subprogram").needing("subprograms"),
     outside("M100", Group::once, "program of the user").to("M199"),
 });
 
@@ -333,8 +357,12 @@ inline constexpr auto kFeatures = std::to_array<DialectFeature>({
     {"parameters", "parameters, their settings, expressions and functions", true},
     {"o-words", "subroutines, conditions and loops of the program's own", true},
     {"rotary", "the rotary axes A and C"},
+    {"feed-modes", "G93 and G95, feed as inverse time and per revolution"},
+    {"local-offsets", "G52, G43.2, tools that G10 describes, and turned coordinate systems"},
+    {"subprograms", "M98 and M99"},
     {"linuxcnc",
-     "what only LinuxCNC has: G8, G61.1, G97, G64 P Q, M50 to M53, M61 to M71, `;`, (abort,"},
+     "what only LinuxCNC has: G7, G8, G61.1, G96, G97, G64 P Q, M50 to M53, M61 to M73, `;`, "
+     "(abort,"},
     {"lines", "the form of lines, words that nothing uses, and the end of a program, as documented",
      true},
 });

@@ -106,7 +106,7 @@ bool Calculator::push_numbered(const grammar::Term& term) {
     Value value = parameters_.numbered(*number);
     // NGC-OWD-02
     if (parameters_.is_inherited(*number) && value.number.sign() != 0 &&
-        readings_.is(ReadingKey::ngc_call_parameters, "zero")) {
+        readings_.is("ngc.call-parameters=zero"_reading)) {
       value = {};
     }
     stack_.back() = std::move(value);

@@ -37,8 +37,8 @@ void run_g73(BlockContext& block) {
   if (pecks.has_several()) plan.clearance = pecks.clearance();
   // NGC-G73-02
   if (holes.clear() != holes.levels().r_plane) {
-    if (block.readings.is(ReadingKey::ngc_g73_end, "r-plane")) holes.end_at_r_plane();
-    plan.ends_at_r_plane = !block.readings.is(ReadingKey::ngc_g73_end, "clear");
+    if (block.readings.is("ngc.g73.end=r-plane"_reading)) holes.end_at_r_plane();
+    plan.ends_at_r_plane = !block.readings.is("ngc.g73.end=clear"_reading);
   }
   holes.run([plan](const Holes& ready) { return break_chips(ready, plan); });
 }

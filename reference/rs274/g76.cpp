@@ -12,13 +12,14 @@ void run_g76(BlockContext& block) {
   const Position& start = block.machine.position;
   ThreadPasses passes{.line = block.line,
                       .feed_in_force = block.machine.feed,
+                      .feed_mode = block.machine.feed_mode,
                       .start = start,
                       .words = *std::move(words)};
   passes.side = passes.words.peak.sign();
   passes.forward = passes.words.end[Axis::z] > start[Axis::z] ? 1 : -1;
   // NGC-G76-08
   if (passes.words.tangent.sign() != 0) {
-    passes.equal_lengths = block.readings.is(ReadingKey::ngc_g76_slide, "end");
+    passes.equal_lengths = block.readings.is("ngc.g76.slide=end"_reading);
   }
   block.machine.position = passes.words.end;
   block.out.cycle = run_passes(std::move(passes));

@@ -34,11 +34,11 @@ DeepPecks plan_deep_pecks(PeckBlock& block) {
   if (!block.has_several()) return pecks;
   // NGC-G83-02
   const Number clear = holes.clear();
-  if (clear != pecks.withdrawn && readings.is(ReadingKey::ngc_g83_retract, "clear")) {
+  if (clear != pecks.withdrawn && readings.is("ngc.g83.retract=clear"_reading)) {
     pecks.withdrawn = clear;
   }
   // NGC-G83-03
-  if (readings.is(ReadingKey::ngc_g83_return, "rapid")) pecks.clearance = block.clearance();
+  if (readings.is("ngc.g83.return=rapid"_reading)) pecks.clearance = block.clearance();
   return pecks;
 }
 

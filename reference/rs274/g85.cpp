@@ -21,7 +21,7 @@ void run_g85(BlockContext& block) {
   if (!holes.is_sound()) return holes.stop();
   Number feeds_to = holes.levels().r_plane;
   const Number clear = holes.clear();
-  if (clear != feeds_to && block.readings.is(ReadingKey::ngc_g85_out, "clear")) feeds_to = clear;
+  if (clear != feeds_to && block.readings.is("ngc.g85.out=clear"_reading)) feeds_to = clear;
   holes.run([feeds_to](const Holes& ready) { return bore(ready, feeds_to); });
 }
 

@@ -32,7 +32,7 @@ HoleBlock::HoleBlock(BlockContext& block, OwnWord own)
   }
   // NGC-CYC-20
   if (decided("NGC-CYC-20"_clause, "F", block_.machine.feed) <= 0 &&
-      block_.readings.is(ReadingKey::ngc_cycle_feed, "needed")) {
+      block_.readings.is("ngc.cycle.feed=needed"_reading)) {
     block_.need_feed("NGC-CYC-20"_clause);
   }
 }
@@ -122,10 +122,10 @@ Number HoleBlock::r_base() const {
   const bool begins_here = initial_.always([&](const Number& initial) { return initial == here; });
   if (here.sign() == 0 && begins_here) return here;
   const ReadingsInUse& readings = block_.readings;
-  if (readings.is(ReadingKey::ngc_cycle_g91_r, "initial")) {
+  if (readings.is("ngc.cycle.g91-r=initial"_reading)) {
     return initial_.of([](const Number& initial) { return initial; });
   }
-  return readings.is(ReadingKey::ngc_cycle_g91_r, "absolute") ? 0 : here;
+  return readings.is("ngc.cycle.g91-r=absolute"_reading) ? 0 : here;
 }
 
 // NGC-CYC-05, NGC-CYC-06: `base` is what R counts from under G91.
@@ -147,7 +147,7 @@ CycleLevels HoleBlock::read_levels() const {
   const bool writes_r = block_.words.has('R');
   const bool writes_depth = block_.words.has(address_of(axes_.d));
   if (!kept || (writes_r && writes_depth)) return levels_of_numbers();
-  const auto keeps = [&] { return block_.readings.is(ReadingKey::ngc_cycle_sticky, "level"); };
+  const auto keeps = [&] { return block_.readings.is("ngc.cycle.sticky=level"_reading); };
   if (writes_r) {
     const CycleLevels numbers = levels_of_numbers();
     if (numbers.bottom == kept->bottom || !keeps()) return numbers;
@@ -202,8 +202,7 @@ void HoleBlock::stop() {
   const bool stays =
       at_place ? always_approached(hole, [](const Approach& way) { return way.lifts == 0; })
                : always_approached(hole, [](const Approach& way) { return way.traverses.empty(); });
-  if ((stays && dwells.empty()) || !block_.readings.is(ReadingKey::ngc_cycle_alarm_at, "late"))
-    return;
+  if ((stays && dwells.empty()) || !block_.readings.is("ngc.cycle.alarm-at=late"_reading)) return;
   Approach moved = approach(hole);
   if (at_place) moved.traverses.resize(moved.lifts);
   block_.out.before_alarm = std::move(dwells);
@@ -224,6 +223,7 @@ void HoleBlock::run(Hole hole) {
               .bottom = levels_->bottom,
               .clear = ends_at_r_plane_ ? levels_->r_plane : clear_level(first),
               .feed_in_force = machine.feed,
+              .feed_mode = machine.feed_mode,
               .dwell_time = dwell_,
               .spindle = machine.spindle};
   // NGC-CYC-13, NGC-CYC-14

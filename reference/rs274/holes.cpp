@@ -26,6 +26,7 @@ Record Holes::rapid(ClauseId clause, const Number& level) const {
 Record Holes::feed(ClauseId clause, const Number& level) const {
   Record record = along(RecordKind::feed, clause, level);
   record.feed = feed_in_force;
+  record.feed_mode = feed_mode;
   return record;
 }
 

@@ -20,8 +20,9 @@ struct Holes {
   Number count;                  // L
   Number r_plane;                // R
   Number bottom;                 // B
-  Number clear;                  // where a hole leaves the tool: C, but for G73
+  Number clear;                  // where a hole leaves the tool: C, except G73
   Number feed_in_force;
+  FeedMode feed_mode = FeedMode::per_minute;
   Number dwell_time;  // s
   int spindle = 5;    // the sense that it has: M3, M4, M5
 
@@ -42,7 +43,7 @@ struct Holes {
 // What a cycle does in a hole, from R to where the tool leaves it.
 using Hole = std::function<Generator<Item>(const Holes&)>;
 
-// All motion of the block. What leads nowhere has no record.
+// All motion of the block. A motion of no length has no record.
 Generator<Item> run_holes(Holes holes, Hole hole);
 
 }  // namespace gonogo::reference::rs274

@@ -4,7 +4,7 @@
 namespace gonogo::reference::rs274 {
 
 // NGC-CYC-08, NGC-CYC-09: a series begins here, or has kept its level as a place, or as a number
-// for whatever axis and units are in force.
+// for the axis and units that are in force when it is used.
 InitialLevel::InitialLevel(const BlockContext& block) : readings_(block.readings) {
   const Number& here = block.machine.position[axes_of(block.machine.plane).d];
   std::optional<Series>& series = block.machine.cycle.series;

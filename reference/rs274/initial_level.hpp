@@ -20,8 +20,8 @@ class InitialLevel {
     auto of_number = f(of_number_);
     const bool kept_alike = of_place == of_number;
     if (kept_alike && of_place == of_block) return of_block;
-    if (readings_.is(ReadingKey::ngc_cycle_initial, "block")) return of_block;
-    if (kept_alike || readings_.is(ReadingKey::ngc_cycle_initial_kept, "place")) return of_place;
+    if (readings_.is("ngc.cycle.initial=block"_reading)) return of_block;
+    if (kept_alike || readings_.is("ngc.cycle.initial-kept=place"_reading)) return of_place;
     return of_number;
   }
   // Whether it holds for I0 under each of them.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One block. NGC-MOD-01, NGC-CYC-01: whatever their order on the line, its words act in this one:
+// One block. NGC-MOD-01, NGC-CYC-01: its words act in this order, not in that of the line:
 // feed, M functions, dwell, plane, units, tool length, coordinate system, distance, return of
 // cycles, offsets and reference points, motion, and the M functions that stop the program.
 #include "reference/rs274/interpreter.hpp"
@@ -12,6 +12,7 @@
 #include "reference/rs274/calculated_words.hpp"
 #include "reference/rs274/m_functions.hpp"
 #include "reference/rs274/machine.hpp"
+#include "reference/rs274/modes.hpp"
 #include "reference/rs274/o_words.hpp"
 #include "reference/rs274/other_classes.hpp"
 #include "reference/rs274/program_text.hpp"
@@ -29,9 +30,7 @@ class Interpreter : public BlockInterpreter {
   bool may_repeat_lines() const override { return o_words_.is_used(); }
   void leave_out() override { text_.leave_out(); }
   // NGC-COM-12
-  bool alarms_left_out() const override {
-    return readings_.is(ReadingKey::ngc_block_delete, "read");
-  }
+  bool alarms_left_out() const override { return readings_.is("ngc.block-delete=read"_reading); }
   void end_text(const grammar::Span& end, BlockOutput& out) override {
     check_text_end(end, readings_, out);
   }
@@ -43,12 +42,14 @@ class Interpreter : public BlockInterpreter {
   bool calculate(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
   void run_words(std::uint64_t line, const grammar::Block& block, const WordValues* values,
                  BlockOutput& out);
+  void take_feed_mode(const BlockWords& words, int mode);
   void take_feed(const BlockWords& words, const BlockCodes& codes);
+  void run_subprogram(const BlockWords& words, std::uint64_t line, BlockOutput& out);
   void take_spindle(const grammar::Block& block);
   void take_modes(const BlockCodes& codes, std::uint64_t line);
   void take_tool(const BlockWords& words);
   void take_motion(int code);
-  void move_out(BlockOutput& out) const;
+  void move_out(const Position& at, BlockOutput& out) const;
   void run_block(BlockContext& block) const;
   void run_motion(BlockContext& block) const;
 
@@ -60,6 +61,7 @@ class Interpreter : public BlockInterpreter {
   Parameters parameters_;
   OWords o_words_;
   CalculatedWords calculated_;
+  SavedModes saved_;
   mutable Position of_machine_;  // what position() gives out
 };
 
@@ -78,55 +80,57 @@ Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings)
 
 // NGC-OFS-01
 const Position& Interpreter::position() const {
-  if (!machine_.offsets.is_moved) return machine_.position;
-  for (const Axis axis : kAllAxes) {
-    of_machine_[axis] = machine_.position[axis] + machine_.offsets.origin[axis];
-  }
-  return of_machine_;
+  if (!machine_.offsets.frame.is_moved) return machine_.position;
+  return of_machine_ = machine_.offsets.frame.to_machine(machine_.position);
 }
 
 void Interpreter::stand_at(const Position& position) {
-  for (const Axis axis : kAllAxes) {
-    machine_.position[axis] = position[axis] - machine_.offsets.origin[axis];
-  }
+  machine_.position = machine_.offsets.frame.to_program(position);
 }
 
-// NGC-OFS-01: what the block put out, in coordinates of the machine.
-void Interpreter::move_out(BlockOutput& out) const {
-  const Offsets& offsets = machine_.offsets;
-  if (!offsets.is_moved) return;
-  for (std::vector<Item>* const items : {&out.items, &out.before_alarm}) {
-    for (Item& item : *items) {
-      if (auto* const record = std::get_if<Record>(&item)) move(*record, offsets.origin);
-    }
+// NGC-OFS-01: what the block put out, in coordinates of the machine; its motions begin `at`.
+void Interpreter::move_out(const Position& at, BlockOutput& out) const {
+  const Frame& frame = machine_.offsets.frame;
+  if (!frame.is_moved) return;
+  Position of_items = at;
+  Position of_others = at;
+  for (Item& item : out.items) {
+    if (auto* const record = std::get_if<Record>(&item)) frame.move(*record, of_items);
   }
-  out.cycle = moved(std::move(out.cycle), offsets.origin);
-  for (NamedPlace& place : out.cycle_places.places) {
-    for (const Axis axis : kAllAxes) place.at[axis] += offsets.origin[axis];
+  for (Item& item : out.before_alarm) {
+    if (auto* const record = std::get_if<Record>(&item)) frame.move(*record, of_others);
   }
+  out.cycle = moved(std::move(out.cycle), frame, of_items);
+  for (NamedPlace& place : out.cycle_places.places) place.at = frame.to_machine(place.at);
 }
 
 // NGC-COM-13: what a carriage return is has to be known before the first line.
 bool Interpreter::next_line(grammar::LineSource& lines, grammar::Line& line) {
   if (profile_.takes_cr_for_blank()) lines.take_cr_for_blank();
   const bool is_there = o_words_.next(lines, line);
-  if (lines.has_lone_cr()) readings_.touch(ReadingKey::ngc_lone_cr);
+  if (lines.has_lone_cr()) readings_.touch("ngc.lone-cr"_key);
   return is_there;
+}
+
+// NGC-FED-02: a feed is lost with its mode. NGC-MOD-03: the same mode again may keep it.
+void Interpreter::take_feed_mode(const BlockWords& words, int mode) {
+  const FeedMode coming = mode == 95 ? FeedMode::per_revolution : FeedMode::per_minute;
+  const bool changes = machine_.is_inverse_time != (mode == 93) || machine_.feed_mode != coming;
+  machine_.is_inverse_time = mode == 93;
+  machine_.feed_mode = coming;
+  const bool loses = changes || (!words.has('F') && machine_.feed.sign() != 0 &&
+                                 readings_.is("ngc.g94-feed=none"_reading));
+  if (loses) machine_.feed = machine_.rotary_feed = 0;
 }
 
 // NGC-MOD-01: the mode of the feed comes before F, and F before the units of its block.
 void Interpreter::take_feed(const BlockWords& words, const BlockCodes& codes) {
-  if (!words.has('F')) {
-    // NGC-MOD-03
-    const bool loses = reading_.of(Group::feed_mode) == 94 && machine_.feed.sign() != 0 &&
-                       readings_.is(ReadingKey::ngc_g94_feed, "none");
-    if (loses) machine_.feed = machine_.rotary_feed = 0;
-    return;
-  }
+  if (codes.feed_mode >= 0) take_feed_mode(words, codes.feed_mode);
+  if (!words.has('F') || machine_.is_inverse_time) return;
   WordModes modes = machine_.modes;
   const bool becomes_inch = codes.units == 20;
   const bool changes = codes.units >= 0 && becomes_inch != modes.inch;
-  if (changes && readings_.is(ReadingKey::ngc_feed_units, "after")) modes.inch = becomes_inch;
+  if (changes && readings_.is("ngc.feed-units=after"_reading)) modes.inch = becomes_inch;
   machine_.rotary_feed = words.written('F');
   machine_.feed = modes.length_of(machine_.rotary_feed);
 }
@@ -136,6 +140,9 @@ void Interpreter::take_spindle(const grammar::Block& block) {
   for (const grammar::Word& word : block.words) {
     const std::int64_t number = word.address == 'M' ? m_number(word, readings_).value_or(0) : 0;
     if (number >= 3 && number <= 5) machine_.spindle = static_cast<int>(number);
+    if (number == 7) machine_.has_mist = true;
+    if (number == 8) machine_.has_flood = true;
+    if (number == 9) machine_.has_mist = machine_.has_flood = false;
   }
 }
 
@@ -167,6 +174,8 @@ void Interpreter::take_modes(const BlockCodes& codes, std::uint64_t line) {
     machine_.plane = plane;
   }
   if (codes.units >= 0) modes.inch = codes.units == 20;  // NGC-UNI-01
+  if (codes.diameter >= 0) modes.diameter = codes.diameter == 7;
+  if (codes.speed >= 0) machine_.has_surface_speed = codes.speed == 96;
   // NGC-DIS-01
   if (codes.distance >= 0) modes.incremental = codes.distance == 91;
   if (codes.arc_distance >= 0) modes.absolute_centre = codes.arc_distance == 90;
@@ -199,7 +208,21 @@ bool runs_motion(const Machine& machine, const BlockWords& words, const BlockCod
   if (machine.motion == kNoMotion || takes_axis_words(codes)) return false;
   if (codes.motion >= 0 || words.has_axis_word()) return true;
   return is_arc(machine.motion) && words.has_offset() &&
-         readings.is(ReadingKey::ngc_arc_words_alone, "arc");
+         readings.is("ngc.arc-words-alone=arc"_reading);
+}
+
+// NGC-OFS-16: whether turned axes take the motion out of the planes that records have.
+bool leaves_plane(BlockContext& block) {
+  const int motion = block.machine.motion;
+  const bool is_of_plane = is_arc(motion) && block.machine.plane != Plane::g17;
+  const bool has_lead = motion == 33 || motion == kG33Point1 || motion == 76;
+  if (!block.machine.offsets.frame.is_turned || (!is_of_plane && !has_lead)) return false;
+  block.out.not_covered =
+      NotCovered{block.line, "rotation",
+                 "The gauge reads no thread, and of arcs those in G17 alone, while G10 L2 R turns "
+                 "the axes X and Y.",
+                 block.places.place_of('G').value_or(grammar::Span{})};
+  return true;
 }
 
 // NGC-MOD-01: the motion in force.
@@ -213,7 +236,7 @@ void Interpreter::run_motion(BlockContext& block) const {
                           machine_.motion_ended)
             : std::string("No motion is in force for the axis words: none was given yet."));
   }
-  if (!block.runs_motion) return;
+  if (!block.runs_motion || leaves_plane(block) || !fits_modes(block)) return;
   switch (machine_.motion) {
     case 0:
       return run_traverse(block);
@@ -276,13 +299,15 @@ bool finds_behind_dwell(const BlockContext& block) {
 void Interpreter::run_block(BlockContext& block) const {
   check_unused_words(block);
   check_once(block);
+  check_modes(block);
   take_offsets(block);
+  if (block.machine.offsets.frame.is_turned) block.start = block.machine.position;
   run_once(block);  // NGC-CYC-27: a dwell is before all motion
   const bool is_sound = block.out.alarms.empty() && !block.out.not_covered;
   run_motion(block);
   if (!is_sound || block.out.alarms.empty() || !finds_behind_dwell(block)) return;
   std::vector<Item> dwells = dwells_of(block);
-  if (!dwells.empty() && readings_.is(ReadingKey::ngc_alarm_dwell, "dwells")) {
+  if (!dwells.empty() && readings_.is("ngc.alarm-dwell=dwells"_reading)) {
     block.out.before_alarm = std::move(dwells);
   }
 }
@@ -294,6 +319,11 @@ bool Interpreter::calculate(std::uint64_t line, const grammar::Block& block, Blo
   if (block.control) {
     check_numbers(block, readings_, out);
     o_words_.take(block, calculator, out);
+    const bool is_kept = saved_.follow(o_words_.calls(), machine_);
+    if (!is_kept) {
+      calculator.outside =
+          NotCovered{line, "M73", "What a subroutine leaves running the gauge does not stop.", {}};
+    }
   } else if (calculated_.take(block, calculator, out)) {
     calculator.assign(block);
   }
@@ -377,16 +407,35 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
   take_feed(words, codes);
   take_spindle(block);
   take_tool(words);
-  take_modes(codes, line);
   BlockContext context{
-      {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters,
-      runs_motion(machine_, words, codes, readings_)};
+      {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters};
+  context.functions = m_functions_of(block, readings_);
+  saved_.take(context);
+  const bool has_diameters = machine_.modes.diameter;
+  take_modes(codes, line);
+  context.turns_diameters = machine_.modes.diameter != has_diameters;
+  context.runs_motion = runs_motion(machine_, words, codes, readings_);
   context.p_is_turns = context.runs_motion && is_arc(machine_.motion) && words.has('P') &&
                        !is_taken_beside_motion(context, 'P');
   run_block(context);
-  move_out(out);
+  move_out(context.start, out);
   if (out.not_covered) out.alarms.clear();  // what is not covered goes before what is wrong
   sort_by_place(out.alarms);
+  if (out.alarms.empty() && !out.not_covered) run_subprogram(words, line, out);
+}
+
+// NGC-OWD-13: M98 and M99 come behind all else of their block.
+void Interpreter::run_subprogram(const BlockWords& words, std::uint64_t line, BlockOutput& out) {
+  for (const grammar::Word& word : words.block().words) {
+    const std::int64_t number = word.address == 'M' ? m_number(word, readings_).value_or(0) : 0;
+    if (number == 98) o_words_.call_numbered(words, word.where, out);
+    if (number == 99) o_words_.end_numbered(line, word.where, out);
+  }
+  if (!out.alarms.empty() || out.not_covered) {
+    out.items.clear();
+    out.cycle = {};
+  }
+  saved_.follow(o_words_.calls(), machine_);
 }
 
 }  // namespace

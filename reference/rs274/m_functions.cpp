@@ -37,6 +37,7 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
     }
     return;
   }
+  if (*number == 98 || *number == 99) return;  // NGC-OWD-13: no functions of the machine
   Record record;
   record.kind = RecordKind::m;
   record.clause = clause;
@@ -48,7 +49,7 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
   if (function->kind == Kind::program_end) out.program_end = true;
 }
 
-// NGC-MOD-01: whatever their order on the line, functions run by their groups.
+// NGC-MOD-01: functions run by their groups, not in their order on the line.
 std::ptrdiff_t place_in_order(const Item& function) {
   constexpr std::array kOrder = {Group::signals,     Group::tool,    Group::spindle,
                                  Group::saved_modes, Group::coolant, Group::override_switches};
@@ -63,6 +64,17 @@ std::optional<std::int64_t> m_number(const grammar::Word& word, const ReadingsIn
   const NearWhole number(to_number(word.value));
   if (!number.counts_as_whole(Whole::m_function, readings)) return std::nullopt;
   return number.nearest().to_int64();
+}
+
+MFunctions m_functions_of(const grammar::Block& block, const ReadingsInUse& readings) {
+  MFunctions functions;
+  for (const grammar::Word& word : block.words) {
+    if (word.address != 'M') continue;
+    const std::int64_t number = m_number(word, readings).value_or(-1);
+    const bool is_small = number >= 0 && number < 100;
+    if (is_small) functions.set(static_cast<std::size_t>(number));
+  }
+  return functions;
 }
 
 void take_m_functions(const grammar::Block& block, std::uint64_t line,
@@ -107,7 +119,7 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
 void check_tool_table(const Number& number, const grammar::Word& word, const Profile& profile,
                       const ReadingsInUse& readings, std::vector<Alarm>& alarms) {
   if (number.sign() <= 0 || profile.tools.contains(number.text())) return;
-  if (!readings.is(ReadingKey::ngc_missing_tool, "alarm")) return;
+  if (!readings.is("ngc.missing-tool=alarm"_reading)) return;
   alarms.push_back({AlarmClass::no_tool, "NGC-COM-11"_clause, 'T', word.where,
                     fmt::format("{} is no tool of the table.", text_of(word))});
 }

@@ -3,6 +3,7 @@
 // M functions: their numbers, their order and their groups.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -16,6 +17,9 @@ namespace gonogo::reference::rs274 {
 
 // NGC-COM-01: the number of an M function; nothing when it is none, or has too many digits.
 std::optional<std::int64_t> m_number(const grammar::Word& word, const ReadingsInUse& readings);
+// The M functions of the block, those below M100 by their numbers.
+using MFunctions = std::bitset<100>;
+MFunctions m_functions_of(const grammar::Block& block, const ReadingsInUse& readings);
 // What the M functions of the block put out, in the order of execution.
 void take_m_functions(const grammar::Block& block, std::uint64_t line,
                       const ReadingsInUse& readings, BlockOutput& out);

@@ -6,6 +6,7 @@
 #include "reference/block_base.hpp"
 #include "reference/rs274/codes.hpp"
 #include "reference/rs274/cycle_state.hpp"
+#include "reference/rs274/m_functions.hpp"
 #include "reference/rs274/offsets.hpp"
 #include "reference/rs274/words.hpp"
 
@@ -22,8 +23,13 @@ struct Machine : MotionState {
   int motion = kNoMotion;          // as BlockCodes has it; kNoMotion also after G80
   std::uint64_t motion_ended = 0;  // the line of that G80; 0: none was in force
   Number rotary_feed;              // F as written: degrees per minute where rotary axes move alone
+  bool is_inverse_time = false;    // NGC-FED-01: F holds for its block, and feed is 0
+  bool has_surface_speed = false;  // G96
   Retract retract = Retract::unsaid;
-  int spindle = 5;  // M3, M4 or M5
+  int spindle = 5;         // M3, M4 or M5
+  bool has_speed = false;  // S above zero
+  bool has_mist = false;
+  bool has_flood = false;
   CycleState cycle;
   Offsets offsets;
   ToolState tool;
@@ -36,9 +42,12 @@ struct BlockContext : BlockBase {
   Machine& machine;
   const BlockWords& words;
   const BlockCodes& codes;
-  Letters letters = 0;       // of the words that its codes take, but for the motion
+  Letters letters = 0;       // of the words that its codes take, except the motion
   bool runs_motion = false;  // the motion in force acts in the block
-  bool p_is_turns = false;   // of an arc: P is there, and no other code of the block takes it
+  Position start = {};       // of its motion, once offsets have acted, where the axes are turned
+  bool turns_diameters = false;  // G7 or G8 changes the mode
+  bool p_is_turns = false;       // of an arc: P is there, and no other code of the block takes it
+  MFunctions functions = {};
 };
 
 // The axis words of the block as an end point, under G53 of the machine (NGC-OFS-13); the axes that

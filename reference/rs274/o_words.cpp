@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// NGC-OWD-01 to NGC-OWD-10.
+// NGC-OWD-01 to NGC-OWD-11.
 #include "reference/rs274/o_words.hpp"
 
 #include <algorithm>
@@ -30,12 +30,12 @@ bool may_be_o_word(std::string_view text, bool skips) {
   return text.find_first_of("oO", at) != std::string_view::npos;
 }
 
+}  // namespace
+
 bool is_tape_mark(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first != std::string_view::npos && text[first] == '%';
 }
-
-}  // namespace
 
 // The lines of the program that a loop may need again, also while it has called a subroutine.
 bool OWords::is_recording() const {
@@ -55,6 +55,7 @@ bool OWords::read(grammar::LineSource& lines, grammar::Line& line) {
     line.too_long = false;
     return true;
   }
+  if (level.is_numbered) return ran_off_ = true;
   if (!lines.next(line)) return false;
   const bool is_recorded = is_recording() && !line.too_long;
   if (!is_recorded && defined_ == nullptr) return true;
@@ -65,7 +66,7 @@ bool OWords::read(grammar::LineSource& lines, grammar::Line& line) {
   return true;
 }
 
-// NGC-OWD-04: lines that do not run are not looked at but for their O words.
+// NGC-OWD-04: lines that do not run are not looked at except for their O words.
 bool OWords::is_wanted(std::string_view text) {
   if (!may_be_o_word(text, skips_)) return false;
   if (grammar::parse_block(grammar::Dialect::rs274, text, scratch_) || !scratch_.control) {
@@ -227,7 +228,8 @@ void OWords::run_return(const Step& step) {
     return;
   }
   const bool ends = step.control.kind == ControlKind::endsub;
-  if (is_main() || (ends && levels_.back().sub != step.control.label)) {
+  const bool is_other = levels_.back().is_numbered || levels_.back().sub != step.control.label;
+  if (is_main() || (ends && is_other)) {
     refuse(step, "No subroutine of this label runs here.");
     return;
   }
@@ -261,6 +263,10 @@ void OWords::run_call(const Step& step) {
   }
   if (!subs_.contains(label)) {
     if (!find_behind(label)) {
+      if (is_numbered_behind(label)) {
+        refuse(step, "The subprogram of this number ends with M99, and M98 calls it.");
+        return;
+      }
       leave_out(step, "The program has no subroutine of this label; a file may have it.");
       return;
     }
@@ -272,7 +278,7 @@ void OWords::run_call(const Step& step) {
   }
   parameters_.returned.reset();
   parameters_.enter(std::move(arguments));
-  levels_.push_back({label, &subs_.at(label).text, 0, {}});
+  levels_.push_back({label, &subs_.at(label).text});
 }
 
 // NGC-OWD-04

@@ -13,6 +13,7 @@
 #include "grammar/line_source.hpp"
 #include "reference/expander.hpp"
 #include "reference/rs274/expression.hpp"
+#include "reference/rs274/words.hpp"
 
 namespace gonogo::reference::rs274 {
 
@@ -21,6 +22,9 @@ inline constexpr std::size_t kMostRemembered = std::size_t{1} << 20;  // bytes o
 inline constexpr std::uint64_t kMostRepeated = 100'000;               // lines that ran before
 inline constexpr std::size_t kMostOpen = 1'000;                       // loops and conditions
 inline constexpr std::size_t kMostCalls = 9;                          // in each other
+
+// Whether the line is a % line.
+bool is_tape_mark(std::string_view text);
 
 class OWords {
  public:
@@ -32,11 +36,18 @@ class OWords {
   bool next(grammar::LineSource& lines, grammar::Line& line);
   // The line that came last is an O word. Alarms and what is not read go to `out`.
   void take(const grammar::Block& block, Calculator& calculator, BlockOutput& out);
+  // NGC-OWD-13: M98, whose words are right, and M99.
+  void call_numbered(const BlockWords& words, const grammar::Span& where, BlockOutput& out);
+  void end_numbered(std::uint64_t line, const grammar::Span& where, BlockOutput& out);
+  // Calls in each other, and the program.
+  std::size_t calls() const { return levels_.size(); }
   // Whether the line that came last is beyond what is followed.
-  bool is_beyond() const { return remembered_ > kMostRemembered || repeated_ > kMostRepeated; }
+  bool is_beyond() const {
+    return remembered_ > kMostRemembered || repeated_ > kMostRepeated || ran_off_;
+  }
   // Whether there was an O word.
   bool is_used() const { return is_used_; }
-  // Whether lines are passed over now, up to an O word that has not come yet.
+  // Whether lines are skipped now, up to an O word that has not come yet.
   bool passes_over() const { return wanted_ || defined_ != nullptr; }
 
  private:
@@ -62,7 +73,9 @@ class OWords {
     std::string sub;  // empty: the program
     const Text* text;
     std::size_t at = 0;  // the next line
-    std::vector<Open> open;
+    std::vector<Open> open = {};
+    bool is_numbered = false;  // called by M98
+    std::int64_t left = 1;     // how often it runs
   };
   // What is looked for.
   struct Wanted {
@@ -85,6 +98,9 @@ class OWords {
   void forget();
   bool remember_next();
   bool find_behind(const std::string& label);
+  enum class Found : std::uint8_t { nowhere, another_style, here };
+  Found find_numbered(std::int64_t number, Text& text);
+  bool is_numbered_behind(const std::string& label);
   void open(const Step& step, bool is_done);
   bool is_new_label(const Step& step);
   Open* innermost(const Step& step, std::initializer_list<grammar::ControlKind> kinds);
@@ -114,7 +130,8 @@ class OWords {
   bool skips_;  // lines behind '/'
   Text tape_;   // lines of the program that may come again
   std::map<std::string, Sub> subs_;
-  Text* defined_ = nullptr;  // the subroutine that is read
+  std::map<std::int64_t, Text> numbered_;  // NGC-OWD-13
+  Text* defined_ = nullptr;                // the subroutine that is read
   std::string defined_label_;
   bool fills_ = false;  // its lines are new
   std::vector<Level> levels_ = {Level{{}, &tape_, 0, {}}};
@@ -125,6 +142,7 @@ class OWords {
   grammar::LineSource* lines_ = nullptr;
   std::string called_at_;  // the line of a call that looked ahead
   bool is_used_ = false;
+  bool ran_off_ = false;  // a numbered subprogram has run to its end without M99
   std::size_t remembered_ = 0;
   std::uint64_t repeated_ = 0;
 };

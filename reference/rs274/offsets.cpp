@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G10, G28, G30, G43, G43.1, G49, G53 to G59.3, G92 to G92.3.
+// G10 L2 and L20, G28, G30, G52 to G59.3, G92 to G92.3.
 #include "reference/rs274/offsets.hpp"
 
 #include <fmt/format.h>
@@ -8,8 +8,7 @@
 #include <algorithm>
 
 #include "reference/compared.hpp"
-#include "reference/rs274/machine.hpp"
-#include "reference/rs274/whole.hpp"
+#include "reference/rs274/tool_lengths.hpp"
 
 namespace gonogo::reference::rs274 {
 namespace {
@@ -17,40 +16,6 @@ namespace {
 // NGC-OFS-02: which system a code selects; `tenths` of G54 to G59.3.
 std::size_t system_of(int tenths) {
   return static_cast<std::size_t>(tenths <= 590 ? (tenths - 540) / 10 : tenths - 590 + 5);
-}
-
-// The words of the block along its axes: mm, or degrees.
-template <typename Take>
-void each_axis_word(const BlockContext& block, Take take) {
-  for (const AxisLetter& letter : kAxisLetters) {
-    if (const std::optional<Number> value = block.words.along(letter)) take(letter.axis, *value);
-  }
-}
-
-// A word that has to be whole; nothing after an alarm.
-std::optional<Number> whole_word(BlockContext& block, ClauseId clause, char address) {
-  const NearWhole value(block.words.written(address));
-  if (value.counts_as_whole(Whole::repeats, block.readings)) return value.nearest();
-  block.alarm(AlarmClass::not_an_integer, clause, address,
-              with_values(fmt::format("{} is {{}} and not whole.", address),
-                          {block.words.written(address)}));
-  return std::nullopt;
-}
-
-// Puts other offsets in force; nothing moves, so that the program has other coordinates.
-template <typename Change>
-void change(Machine& machine, Change change_offsets) {
-  const Position before = machine.offsets.origin;
-  change_offsets(machine.offsets);
-  machine.offsets.settle();
-  const Position after = machine.offsets.origin;
-  for (const Axis axis : kAllAxes) {
-    machine.position[axis] = machine.position[axis] + before[axis] - after[axis];
-  }
-  // NGC-CYC-09: the initial level of a series is a place.
-  const Axis depth = axes_of(machine.plane).d;
-  std::optional<Series>& series = machine.cycle.series;
-  if (series && series->place) *series->place += before[depth] - after[depth];
 }
 
 // NGC-OFS-03, NGC-OFS-04: which system P names; nothing after an alarm.
@@ -72,16 +37,26 @@ std::optional<std::size_t> named_system(BlockContext& block, ClauseId clause) {
   return place == 0 ? block.machine.offsets.system : place - 1;
 }
 
+// G10 L2 and L20 have no words of a tool.
+void refuse_tool_words(BlockContext& block, ClauseId clause) {
+  for (const char address : {'I', 'J', 'Q'}) {
+    if (!block.words.has(address)) continue;
+    block.alarm(AlarmClass::unused_word, clause, address,
+                fmt::format("G10 has no word {} for a coordinate system.", address));
+  }
+}
+
 // NGC-OFS-03: G10 L2.
 void set_system(BlockContext& block) {
-  const std::optional<std::size_t> system = named_system(block, "NGC-OFS-03"_clause);
-  if (block.words.has('R') && block.words.written('R').sign() != 0) {
-    return block.not_covered(10, 'R', "The gauge does not read the word R of G10, a rotation.");
-  }
+  const ClauseId clause = "NGC-OFS-03"_clause;
+  const std::optional<std::size_t> system = named_system(block, clause);
+  refuse_tool_words(block, clause);
   if (!system) return;
-  change(block.machine, [&](Offsets& offsets) {
+  change_offsets(block.machine, [&](Offsets& offsets) {
     each_axis_word(block,
                    [&](Axis axis, const Number& value) { offsets.systems[*system][axis] = value; });
+    // NGC-OFS-16
+    if (block.words.has('R')) offsets.angles[*system] = block.words.written('R');
   });
 }
 
@@ -92,13 +67,13 @@ void set_system_here(BlockContext& block) {
   if (block.words.has('R')) {
     block.alarm(AlarmClass::unused_word, clause, 'R', "G10 L20 has no word R.");
   }
+  refuse_tool_words(block, clause);
   if (!system) return;
-  const Position here = block.machine.position;
-  change(block.machine, [&](Offsets& offsets) {
-    const Position in_force = offsets.systems[offsets.system];
-    each_axis_word(block, [&](Axis axis, const Number& value) {
-      offsets.systems[*system][axis] = here[axis] + in_force[axis] - value;
-    });
+  const Offsets& now = block.machine.offsets;
+  const Position origin =
+      origin_by_words(block, sum(now.systems[*system], now.tool), now.angles[*system], now.shift);
+  change_offsets(block.machine, [&](Offsets& offsets) {
+    offsets.systems[*system] = difference(origin, offsets.tool);
   });
 }
 
@@ -110,10 +85,9 @@ void run_setting(BlockContext& block) {
   const std::int64_t what = number->to_int64().value_or(-1);
   if (what == 2) return set_system(block);
   if (what == 20) return set_system_here(block);
-  constexpr std::array<std::int64_t, 4> kToolTable = {0, 1, 10, 11};
-  if (std::ranges::find(kToolTable, what) != kToolTable.end()) {
-    return block.not_covered(10, 'L',
-                             "The gauge does not read the word L of G10 for the tool table.");
+  if (what == 1 || what == 10 || what == 11) return set_tool(block, what);
+  if (what == 0) {
+    return block.not_covered(10, 'L', "What a reloaded tool table holds is the machine's matter.");
   }
   block.alarm(AlarmClass::value_out_of_range, clause, 'L',
               with_values("L of G10 is 0, 1, 2, 10, 11 or 20, and not {}.", {*number}));
@@ -125,7 +99,7 @@ bool keeps_other_axes(const BlockContext& block) {
   const bool matters = std::ranges::any_of(kAxisLetters, [&](const AxisLetter& letter) {
     return !block.words.has(letter.address) && shift[letter.axis].sign() != 0;
   });
-  return matters && block.readings.is(ReadingKey::ngc_g92_other_axes, "kept");
+  return matters && block.readings.is("ngc.g92-other-axes=kept"_reading);
 }
 
 // NGC-OFS-05
@@ -133,7 +107,7 @@ void run_g92(BlockContext& block) {
   if (!block.words.has_axis_word()) return block.missing("NGC-OFS-05"_clause, 'X');
   const bool keeps = keeps_other_axes(block);
   const Position here = block.machine.position;
-  change(block.machine, [&](Offsets& offsets) {
+  change_offsets(block.machine, [&](Offsets& offsets) {
     const Position before = offsets.shift;
     if (!keeps) offsets.shift = {};
     each_axis_word(block, [&](Axis axis, const Number& value) {
@@ -143,9 +117,18 @@ void run_g92(BlockContext& block) {
   });
 }
 
+// NGC-OFS-18
+void run_g52(BlockContext& block) {
+  if (!block.words.has_axis_word()) return block.missing("NGC-OFS-18"_clause, 'X');
+  change_offsets(block.machine, [&](Offsets& offsets) {
+    each_axis_word(block, [&](Axis axis, const Number& value) { offsets.shift[axis] = value; });
+    offsets.kept_shift = offsets.shift;
+  });
+}
+
 // NGC-OFS-06: G92.1, G92.2, G92.3.
 void run_g92_switch(BlockContext& block, int tenths) {
-  change(block.machine, [&](Offsets& offsets) {
+  change_offsets(block.machine, [&](Offsets& offsets) {
     if (tenths == 921) offsets.kept_shift = {};
     offsets.shift = tenths == 923 ? offsets.kept_shift : Position{};
   });
@@ -157,80 +140,24 @@ void run_home(BlockContext& block, std::size_t which) {
   Machine& machine = block.machine;
   Position to;
   AxisSet axes = commanded_end_point(block, to);
+  // NGC-OFS-16: no text says whether the axis that goes there is the machine's or the program's.
+  if (machine.offsets.frame.is_turned && axes.has(Axis::x) != axes.has(Axis::y)) {
+    return block.not_covered(28, axes.has(Axis::x) ? 'X' : 'Y',
+                             "The gauge does not read a way to a reference point along one of two "
+                             "axes that are turned.");
+  }
   if (axes.empty()) {
     axes = kEveryAxis;
   } else {
     block.put(block.motion_to(RecordKind::rapid, clause, axes, to));
   }
-  const Position origin = machine.offsets.origin;
-  for (const Axis axis : kAllAxes) {
-    if (axes.has(axis)) to[axis] = machine.offsets.homes[which][axis] - origin[axis];
-  }
+  to = at_machine_places(machine.offsets.frame, to, axes, machine.offsets.homes[which]);
   block.put(block.motion_to(RecordKind::rapid, clause, axes, to));
 }
 
 // NGC-OFS-12: G28.1 and G30.1.
 void set_home(Machine& machine, std::size_t which) {
-  const Position origin = machine.offsets.origin;
-  for (const Axis axis : kAllAxes) {
-    machine.offsets.homes[which][axis] = machine.position[axis] + origin[axis];
-  }
-}
-
-// NGC-OFS-08: the length of the tool that H names, or of the one in the spindle. Nothing where it
-// is not known.
-std::optional<Number> length_of_tool(BlockContext& block) {
-  const ClauseId clause = "NGC-OFS-08"_clause;
-  std::optional<Number> tool = block.machine.tool.loaded;
-  if (block.words.has('H')) {
-    tool = whole_word(block, clause, 'H');
-    if (!tool) return std::nullopt;
-    if (tool->sign() < 0) {
-      block.alarm(AlarmClass::value_sign, clause, 'H',
-                  with_values("The number of the tool, {}, is below zero.", {*tool}));
-      return std::nullopt;
-    }
-  }
-  if (!tool || tool->sign() == 0) {
-    block.not_covered(43, 'H', "Which tool G43 means here depends on the tool changer.");
-    return std::nullopt;
-  }
-  const std::string number = tool->text();
-  const auto found = block.profile.tools.find(number);
-  if (found != block.profile.tools.end()) return found->second.length;
-  block.out.not_covered = lacking_in_profile(
-      fmt::format("The length of tool {}", number),
-      fmt::format("tools = {{ \"{}\" = {{ length = \"50\" }} }}", number),
-      block.places.place_of(block.words.has('H') ? 'H' : 'G').value_or(grammar::Span{}),
-      block.line);
-  return std::nullopt;
-}
-
-// NGC-OFS-08, NGC-OFS-09, NGC-OFS-10
-void take_tool_length(BlockContext& block) {
-  Position tool = block.machine.offsets.tool;
-  switch (block.codes.tool_length) {
-    case 490:
-      tool = {};
-      break;
-    case 431:
-      if (block.codes.motion >= 0 && block.machine.motion != kNoMotion) {
-        block.alarm(AlarmClass::conflicting_words, "NGC-OFS-09"_clause, 'G',
-                    "No motion stands beside G43.1.");
-      }
-      each_axis_word(block, [&](Axis axis, const Number& value) { tool[axis] = value; });
-      break;
-    case 430: {
-      const std::optional<Number> length = length_of_tool(block);
-      if (!length) return;
-      tool = {};
-      tool[Axis::z] = *length;
-      break;
-    }
-    default:
-      return;
-  }
-  change(block.machine, [&](Offsets& offsets) { offsets.tool = tool; });
+  machine.offsets.homes[which] = machine.offsets.frame.to_machine(machine.position);
 }
 
 }  // namespace
@@ -249,41 +176,31 @@ Offsets::Offsets(const Profile& profile) {
   settle();
 }
 
-// NGC-OFS-01
+// NGC-OFS-01, NGC-OFS-16: the offset of G92 is along the axes of the program.
 void Offsets::settle() {
-  for (const Axis axis : kAllAxes) origin[axis] = systems[system][axis] + shift[axis] + tool[axis];
-  is_moved = origin != Position{};
-}
-
-void move(Record& record, const Position& by) {
-  for (const Axis axis : kAllAxes) {
-    if (record.axes.has(axis)) record.to[axis] += by[axis];
+  frame = {};
+  frame.is_turned = angles[system].sign() != 0;
+  if (frame.is_turned) {
+    const auto [cosine, sine] = exact::cos_sin_degrees(angles[system]);
+    frame.cosine = cosine;
+    frame.sine = sine;
   }
-  if (record.kind != RecordKind::arc) return;
-  const PlaneAxes axes = axes_of(record.plane);
-  record.centre[0] += by[axes.p];
-  record.centre[1] += by[axes.q];
+  frame.origin = sum(sum(systems[system], tool), frame.turned(shift));
+  frame.is_moved = frame.is_turned || frame.origin != Position{};
 }
 
-Generator<Item> moved(Generator<Item> items, Position by) {
-  while (const Item* item = items.next()) {
-    Item other = *item;
-    if (auto* const record = std::get_if<Record>(&other)) move(*record, by);
-    co_yield other;
-  }
-}
-
-// NGC-OFS-15: G10, G28, G30, G92 and G43.1 take the axis words of their block.
+// NGC-OFS-15: G10, G28, G30, G52, G92, G43.1 and G43.2 take the axis words of their block.
 bool takes_axis_words(const BlockCodes& codes) {
-  return codes.once == 100 || codes.once == 280 || codes.once == 300 || codes.once == 920 ||
-         codes.tool_length == 431;
+  return codes.once == 100 || codes.once == 280 || codes.once == 300 || codes.once == 520 ||
+         codes.once == 920 || codes.tool_length == 431 || codes.tool_length == 432;
 }
 
 // NGC-OFS-02: the tool length comes before the coordinate system.
 void take_offsets(BlockContext& block) {
   if (block.codes.tool_length >= 0) take_tool_length(block);
   if (block.codes.offset < 0) return;
-  change(block.machine, [&](Offsets& offsets) { offsets.system = system_of(block.codes.offset); });
+  change_offsets(block.machine,
+                 [&](Offsets& offsets) { offsets.system = system_of(block.codes.offset); });
 }
 
 void run_once(BlockContext& block) {
@@ -299,6 +216,8 @@ void run_once(BlockContext& block) {
     case 281:
     case 301:
       return set_home(block.machine, once == 281 ? 0 : 1);
+    case 520:
+      return run_g52(block);
     case 920:
       return run_g92(block);
     case 921:
@@ -323,7 +242,7 @@ void check_once(BlockContext& block) {
                   "G53 has no increments.");
     }
   }
-  if (takes_axis_words(block.codes) && block.codes.tool_length != 431 && block.codes.motion >= 0 &&
+  if (takes_axis_words(block.codes) && !sets_tool_length(block.codes) && block.codes.motion >= 0 &&
       motion != kNoMotion) {
     block.alarm(AlarmClass::conflicting_words, "NGC-OFS-15"_clause, 'G',
                 "Two codes of the block take its axis words.");

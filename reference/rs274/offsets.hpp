@@ -5,7 +5,9 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "reference/generator.hpp"
 #include "reference/outcome.hpp"
@@ -27,18 +29,34 @@ inline constexpr std::array<HomeParameter, kAxes> kSecondHome = {{{Axis::x, "518
                                                                   {Axis::a, "5184"},
                                                                   {Axis::c, "5186"}}};
 
+// Where a program lies on the machine. NGC-OFS-16: it may be turned in X and Y.
+struct Frame {
+  Position origin;  // of the program, in coordinates of the machine
+  Number cosine = 1;
+  Number sine;
+  bool is_moved = false;  // whether program and machine differ
+  bool is_turned = false;
+
+  // The way of a program in the machine's axes, and back.
+  Position turned(Position way) const;
+  Position turned_back(Position way) const;
+  Position to_machine(const Position& place) const;
+  Position to_program(const Position& place) const;
+  // The record in coordinates of the machine. `at`: where it begins, and then where it ends; it is
+  // used only where the frame is turned.
+  void move(Record& record, Position& at) const;
+};
+
 // Lengths in mm, degrees.
 struct Offsets {
   std::array<Position, kSystems.size()> systems;  // of the machine's origin, as the program has it
+  std::array<Number, kSystems.size()> angles;     // NGC-OFS-16
   std::size_t system = 0;                         // in force
-  Position shift;                                 // of G92
+  Position shift;                                 // of G92 and G52
   Position kept_shift;                            // NGC-OFS-06: what G92.3 puts in force again
   Position tool;                                  // tool length
   std::array<Position, 2> homes;                  // NGC-OFS-11: of G28 and G30, of the machine
-
-  // The offset of the program, in coordinates of the machine; what all of the above come to.
-  Position origin;
-  bool is_moved = false;  // whether it is not the machine's
+  Frame frame;                                    // what all of the above come to
 
   explicit Offsets(const Profile& profile);
   // Once something has changed.
@@ -49,10 +67,11 @@ struct Offsets {
 struct ToolState {
   std::optional<Number> selected;  // T
   std::optional<Number> loaded;    // M6, M61
+  // NGC-OFS-17: entries of the tool table that the program has changed, by their numbers.
+  std::map<std::string, Position> changed;
 };
 
-// The same motions in coordinates of the machine.
-void move(Record& record, const Position& by);
-Generator<Item> moved(Generator<Item> items, Position by);
+// The same motions in coordinates of the machine; they begin `at`.
+Generator<Item> moved(Generator<Item> items, Frame frame, Position at);
 
 }  // namespace gonogo::reference::rs274

@@ -67,7 +67,7 @@ bool Calculator::are_equal(const Number& left, const Number& right) const {
   const Number apart = exact::abs(left - right);
   if (apart < kMillionth) return true;
   if (apart >= kTenThousandth) return false;
-  return readings_.is(ReadingKey::ngc_equal, "ten-thousandth");
+  return readings_.is("ngc.equal=ten-thousandth"_reading);
 }
 
 bool is_double(const Number& number) {
@@ -263,7 +263,7 @@ bool Calculator::apply_one(const grammar::Term& term) {
   switch (term.kind) {
     case TermKind::negate:
     case TermKind::plus:
-      if (readings_.is(ReadingKey::ngc_sign_of_value, "syntax")) {
+      if (readings_.is("ngc.sign-of-value=syntax"_reading)) {
         return fail(AlarmClass::syntax, "NGC-EXP-05"_clause, term.where,
                     "A sign stands before digits alone.");
       }

@@ -8,7 +8,7 @@
 namespace gonogo::reference::rs274 {
 namespace {
 
-// Interpreters refuse these below zero as soon as they read them, whatever takes them.
+// Interpreters refuse these below zero as soon as they read them, before anything takes them.
 constexpr Letters kWithoutSign = letters_of("D F H L P Q S T");
 constexpr Letters kWhole = letters_of("H L T");
 constexpr int kLastCode = 99;

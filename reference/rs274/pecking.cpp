@@ -9,7 +9,7 @@ namespace {
 
 // NGC-G83-08: whether the block has a D that counts.
 bool has_clearance_word(const BlockContext& block) {
-  return block.words.has('D') && block.readings.is(ReadingKey::ngc_peck_d, "clearance");
+  return block.words.has('D') && block.readings.is("ngc.peck.d=clearance"_reading);
 }
 
 const Number kQuarter = Number::millionths(250'000);  // of a second
@@ -23,7 +23,7 @@ PeckBlock::PeckBlock(BlockContext& block) : holes_(block, OwnWord::needs_q) {
                 with_values("The clearance above the last peck, {}, is below zero.",
                             {block.words.written('D')}));
   }
-  if (holes_.is_sound() && block.readings.is(ReadingKey::ngc_peck_dwell, "quarter")) {
+  if (holes_.is_sound() && block.readings.is("ngc.peck.dwell=quarter"_reading)) {
     holes_.dwell_for(kQuarter);
   }
 }
@@ -43,16 +43,13 @@ Number PeckBlock::count() const {
 Number PeckBlock::clearance() const {
   const BlockContext& block = holes_.block();
   if (has_clearance_word(block)) return holes_.length_of(block.words.written('D'));
-  const auto reads = [&](std::string_view alternative) {
-    return block.readings.is(ReadingKey::ngc_peck_clearance, alternative);
-  };
-  if (reads("one-mm")) {
+  if (block.readings.is("ngc.peck.clearance=one-mm"_reading)) {
     // The number of the machine's units, in those of the program.
     const bool is_inch_machine = block.profile.units == Units::inch;
     return holes_.length_of(is_inch_machine ? Number::millionths(50'000) : 1);
   }
-  if (reads("tenth-mm")) return Number::millionths(100'000);
-  if (reads("twentieth")) return depth() / 20;
+  if (block.readings.is("ngc.peck.clearance=tenth-mm"_reading)) return Number::millionths(100'000);
+  if (block.readings.is("ngc.peck.clearance=twentieth"_reading)) return depth() / 20;
   return inches(Number::millionths(10'000));
 }
 

@@ -25,8 +25,8 @@ class PeckBlock {
   HoleBlock holes_;
 };
 
-// NGC-G83-01: where peck k ends but for the last one, which ends on the bottom. A closed form, so
-// that the millionth is as exact as the first.
+// NGC-G83-01: where peck k ends except for the last one, which ends on the bottom. A closed form,
+// so that the millionth is as exact as the first.
 Number end_of_peck(const Holes& holes, const Number& depth, const Number& k);
 
 }  // namespace gonogo::reference::rs274

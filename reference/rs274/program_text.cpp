@@ -56,12 +56,12 @@ void ProgramText::take(const grammar::Block& block, BlockOutput& out) {
 void check_numbers(const grammar::Block& block, const ReadingsInUse& readings, BlockOutput& out) {
   // NGC-COM-05
   if (block.sequence_number && !is_whole_to_99999(*block.sequence_number) &&
-      readings.is(ReadingKey::ngc_line_number, "whole")) {
+      readings.is("ngc.line-number=whole"_reading)) {
     out.alarms.push_back({AlarmClass::syntax, "NGC-COM-05"_clause, 'N', block.number_place.span,
                           "A line number is whole and at most 99999."});
   }
   // NGC-COM-06
-  if (block.program_number && readings.is(ReadingKey::ngc_o_name, "syntax")) {
+  if (block.program_number && readings.is("ngc.o-name=syntax"_reading)) {
     out.alarms.push_back({AlarmClass::syntax, "NGC-COM-06"_clause, 'O', block.number_place.span,
                           "A line that only names the program is not read."});
   }
@@ -78,7 +78,7 @@ void check_abort(const grammar::Block& block, BlockOutput& out) {
 
 // NGC-COM-08
 void check_text_end(const grammar::Span& end, const ReadingsInUse& readings, BlockOutput& out) {
-  if (readings.is(ReadingKey::ngc_program_end, "free")) return;
+  if (readings.is("ngc.program-end=free"_reading)) return;
   out.alarms.push_back({AlarmClass::program_end, "NGC-COM-08"_clause, 0, end,
                         "A program ends with M2 or M30, or with the second of two % lines."});
 }

@@ -26,7 +26,7 @@ void check_lead(BlockContext& block) {
     block.alarm(AlarmClass::lead_missing, "NGC-G33-02"_clause, 'K',
                 "K, the lead, is needed in every block.");
   } else if (decided("NGC-G33-05"_clause, "K", block.words.written('K')) <= 0 &&
-             block.readings.is(ReadingKey::ngc_g33_k, "positive")) {
+             block.readings.is("ngc.g33.k=positive"_reading)) {
     block.alarm(AlarmClass::value_sign, "NGC-G33-05"_clause, 'K',
                 with_values("The lead, {}, is not above zero.", {block.words.written('K')}));
   }

@@ -36,17 +36,14 @@ void check_spindle(HoleBlock& holes, const Tap& tap) {
 // NGC-G84-04: P.
 void take_dwell(BlockContext& block, HoleBlock& holes) {
   CycleState& cycle = block.machine.cycle;
-  const auto reads = [&](std::string_view alternative) {
-    return block.readings.is(ReadingKey::ngc_tap_p, alternative);
-  };
   if (block.words.has('P') || cycle.words.p) return;
-  if (reads("needed")) holes.missing_dwell("NGC-G84-04"_clause);
-  if (reads("last")) holes.dwell_for(cycle.last_p.value_or(0));
+  if (block.readings.is("ngc.tap.p=needed"_reading)) holes.missing_dwell("NGC-G84-04"_clause);
+  if (block.readings.is("ngc.tap.p=last"_reading)) holes.dwell_for(cycle.last_p.value_or(0));
 }
 
 // NGC-G84-04: a P that a tap does not take is that of G4, or a word that nothing uses.
 OwnWord own_word(BlockContext& block) {
-  if (!block.words.has('P') || !block.readings.is(ReadingKey::ngc_tap_p, "barred")) {
+  if (!block.words.has('P') || !block.readings.is("ngc.tap.p=barred"_reading)) {
     return OwnWord::takes_p;
   }
   block.machine.cycle.words.p.reset();

@@ -10,12 +10,6 @@ Number ThreadPasses::depth(const Number& n) const {
   return words.first_depth * exact::power(n, words.degression_divisor, words.degression);
 }
 
-// d_n < K without rounding: n^v < (K/J)^u.
-bool ThreadPasses::is_part_of_depth(const Number& n) const {
-  return exact::power(n, words.degression_divisor) <
-         exact::power(words.full_depth / words.first_depth, words.degression);
-}
-
 Number ThreadPasses::cut(const Number& depth) const {
   return start[Axis::x] + side * (abs(words.peak) + depth);
 }
@@ -74,7 +68,10 @@ class Motions {
     record.clause = clause;
     record.axes.add(Axis::x);
     record.to[Axis::x] = x;
-    if (kind == RecordKind::feed) record.feed = passes_.feed_in_force;
+    if (kind == RecordKind::feed) {
+      record.feed = passes_.feed_in_force;
+      record.feed_mode = passes_.feed_mode;
+    }
     return record;
   }
   static Record along_z(Record record, const Number& z) {
@@ -115,7 +112,7 @@ Generator<Item> run_pass(const ThreadPasses& passes, Number depth) {
 }
 
 Generator<Item> all_passes(ThreadPasses passes) {
-  for (Number n = 1; passes.is_part_of_depth(n); n += 1) {
+  for (Number n = 1; passes.words.is_part_of_depth(n); n += 1) {
     Generator<Item> pass = run_pass(passes, passes.depth(n));
     while (const Item* item = pass.next()) co_yield *item;
   }

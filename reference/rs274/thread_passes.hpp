@@ -8,20 +8,19 @@
 
 namespace gonogo::reference::rs274 {
 
-// ngc.g76.entry: how the tool goes in where the thread begins with a taper.
 // mm as true lengths; depths are beyond the peak.
 struct ThreadPasses {
   std::uint64_t line = 0;
   Number feed_in_force;
+  FeedMode feed_mode = FeedMode::per_minute;
   Position start;  // (X0, Z0)
   ThreadWords words;
   int side = 1;                // s: 1 inside, -1 outside
   int forward = 1;             // g: the sense of Z
   bool equal_lengths = false;  // ngc.g76.slide = end
 
-  // NGC-G76-05: the depth of pass n, from 1, and whether it is less than K.
+  // NGC-G76-05: the depth of pass n, from 1.
   Number depth(const Number& n) const;
-  bool is_part_of_depth(const Number& n) const;
   // NGC-G76-06: X of a cut.
   Number cut(const Number& depth) const;
   // NGC-G76-07: X beside the cut.

@@ -12,6 +12,8 @@ namespace {
 
 // The largest number of a fraction that R may be: (K/J)^u has so many times the digits of K/J.
 constexpr std::int64_t kMostOfDegression = 10'000;
+// Passes that the gauge follows, spring passes too.
+constexpr int kMostPasses = 10'000;
 
 class Reader {
  public:
@@ -27,9 +29,10 @@ class Reader {
   void read_taper_ends();
   void read_entry();
   void read_degression();
+  void limit_passes();
   void read_slide();
   // NGC-G76-03, as far as LinuxCNC looks: an alarm unless ngc.g76.checks = linuxcnc.
-  bool forgives() const { return block_.readings.is(ReadingKey::ngc_g76_checks, "linuxcnc"); }
+  bool forgives() const { return block_.readings.is("ngc.g76.checks=linuxcnc"_reading); }
   // `what` has places for the values.
   void refuse(AlarmClass alarm, char address, std::string_view what,
               std::initializer_list<Number> values) {
@@ -162,11 +165,8 @@ void Reader::read_taper_ends() {
 
 // NGC-G76-09
 void Reader::read_entry() {
-  const auto reads = [&](std::string_view alternative) {
-    return block_.readings.is(ReadingKey::ngc_g76_entry, alternative);
-  };
-  if (reads("rapid")) read_.entry = TaperEntry::rapid;
-  if (!reads("feed")) return;
+  if (block_.readings.is("ngc.g76.entry=rapid"_reading)) read_.entry = TaperEntry::rapid;
+  if (!block_.readings.is("ngc.g76.entry=feed"_reading)) return;
   read_.entry = TaperEntry::feed;
   block_.need_feed("NGC-G76-09"_clause);
 }
@@ -192,6 +192,18 @@ void Reader::read_degression() {
   }
   read_.degression = static_cast<unsigned long>(*numerator.to_int64());
   read_.degression_divisor = static_cast<unsigned long>(divisor);
+}
+
+// NGC-G76-05: the number of passes, (K/J)^R, grows fast.
+void Reader::limit_passes() {
+  if (read_.spring_passes >= kMostPasses) {
+    block_.not_covered(76, 'H', "The gauge follows up to 10000 passes: the word H asks for more.");
+  } else if (read_.is_part_of_depth(kMostPasses)) {
+    block_.not_covered(
+        76, 'R',
+        "The gauge follows up to 10000 passes: the word K is too deep for the word J "
+        "and the word R.");
+  }
 }
 
 // NGC-G76-08: Q.
@@ -222,10 +234,17 @@ std::optional<ThreadWords> Reader::read() {
                  "G76 needs a spindle that turns.");
   }
   if (!block_.out.alarms.empty() || block_.out.not_covered) return std::nullopt;
+  limit_passes();
+  if (block_.out.not_covered) return std::nullopt;
   return std::move(read_);
 }
 
 }  // namespace
+
+// d_n < K without rounding: n^v < (K/J)^u.
+bool ThreadWords::is_part_of_depth(const Number& n) const {
+  return exact::power(n, degression_divisor) < exact::power(full_depth / first_depth, degression);
+}
 
 std::optional<ThreadWords> read_thread_words(BlockContext& block) {
   return Reader(block).read();

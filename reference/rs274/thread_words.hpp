@@ -7,10 +7,10 @@
 
 namespace gonogo::reference::rs274 {
 
-// mm as true lengths; X is a radius.
-// How the tool goes in to where a taper begins (NGC-G76-09).
+// ngc.g76.entry: how the tool goes in to where a taper begins (NGC-G76-09).
 enum class TaperEntry : std::uint8_t { thread, feed, rapid };
 
+// mm as true lengths; X is a radius.
 struct ThreadWords {
   Position end;          // of the words: Z1, and under a reading X and Y of the last traverse
   Number lead;           // P
@@ -27,6 +27,8 @@ struct ThreadWords {
   unsigned long degression_divisor = 1;
   Number tangent;  // of Q
 
+  // NGC-G76-05: whether pass n, from 1, is less deep than K.
+  bool is_part_of_depth(const Number& n) const;
   bool enters_by_taper() const { return taper_at_start && taper.sign() > 0; }
   bool leaves_by_taper() const { return taper_at_end && taper.sign() > 0; }
 };

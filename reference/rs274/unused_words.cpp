@@ -35,12 +35,12 @@ class WordTakers {
     const int motion = block_.machine.motion;
     const ReadingsInUse& readings = block_.readings;
     // NGC-G83-08
-    if (address == 'D') return readings.is(ReadingKey::ngc_peck_d, "clearance");
+    if (address == 'D') return readings.is("ngc.peck.d=clearance"_reading);
     // NGC-G84-04
     const bool taps = motion == 74 || motion == 84;
-    if (address == 'P' && taps) return !readings.is(ReadingKey::ngc_tap_p, "barred");
+    if (address == 'P' && taps) return !readings.is("ngc.tap.p=barred"_reading);
     // NGC-G74-01
-    if (address == 'L' && motion == 74) return readings.is(ReadingKey::ngc_g74_l, "allowed");
+    if (address == 'L' && motion == 74) return readings.is("ngc.g74.l=allowed"_reading);
     return true;
   }
 
@@ -60,7 +60,7 @@ void check_unused_words(BlockContext& block) {
   const WordTakers takers{block};
   for (const grammar::Word& word : block.words.block().words) {
     if (takers.take(word.address)) continue;
-    if (block.readings.is(ReadingKey::ngc_unused_words, "ignored")) return;
+    if (block.readings.is("ngc.unused-words=ignored"_reading)) return;
     block.out.alarms.push_back({AlarmClass::unused_word, "NGC-COM-02"_clause, word.address,
                                 word.where,
                                 fmt::format("No code of the block uses {}.", text_of(word))});

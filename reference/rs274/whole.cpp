@@ -24,8 +24,8 @@ bool NearWhole::counts_as_whole(Whole what, const ReadingsInUse& readings) const
   const bool by_nist = off_ <= kOfNist;
   const bool by_linuxcnc = off_ <= limit_of_linuxcnc(what);
   if (!by_nist && !by_linuxcnc) return false;
-  if (readings.is(ReadingKey::ngc_whole, "exact")) return false;
-  return readings.is(ReadingKey::ngc_whole, "linuxcnc") ? by_linuxcnc : by_nist;
+  if (readings.is("ngc.whole=exact"_reading)) return false;
+  return readings.is("ngc.whole=linuxcnc"_reading) ? by_linuxcnc : by_nist;
 }
 
 }  // namespace gonogo::reference::rs274

@@ -10,8 +10,9 @@ std::optional<Number> BlockWords::length(char address) const {
   return modes_.length_of(written(address));
 }
 
-// NGC-UNI-01: degrees have no units.
+// NGC-UNI-01: degrees have no units. NGC-DIA-01: X may be a diameter.
 std::optional<Number> BlockWords::along(const AxisLetter& axis) const {
+  if (axis.axis == Axis::x && modes_.diameter && has('X')) return *length('X') / 2;
   if (is_linear(axis.axis)) return length(axis.address);
   if (!has(axis.address)) return std::nullopt;
   return written(axis.address);

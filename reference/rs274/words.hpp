@@ -20,11 +20,12 @@ constexpr char address_of(Axis axis) {
   return kAxisLetters[index(axis)].address;
 }
 
-// How words are meant: G20, G91, G90.1.
+// How words are meant: G20, G91, G90.1, G7.
 struct WordModes {
   bool inch = false;
   bool incremental = false;
   bool absolute_centre = false;
+  bool diameter = false;  // NGC-DIA-01
 
   // NGC-UNI-01: mm of a number of the program, and the number of so many mm.
   Number length_of(const Number& number) const { return inch ? inches(number) : number; }

@@ -81,7 +81,7 @@ Number angle_between(const Vector_2& programmed, const Vector_2& found) {
                                              exact::abs(CGAL::determinant(programmed, found))));
 }
 
-// An enclosure might not be told from no angle at all, and a message decides nothing.
+// An enclosure might contain no angle at all, and a message decides nothing.
 std::string too_far_text(const Vector_2& programmed, const Vector_2& found) {
   const bool is_enclosed = CGAL::determinant(programmed, found).form() == Number::Form::enclosure;
   const Number limit = exact::sqrt(kPerMille);
@@ -140,8 +140,8 @@ std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& a
   if (!check_radii(block, radii, arc.axes, word)) return std::nullopt;
   found.is_corrected = true;
   const ReadingsInUse& readings = block.readings;
-  if (readings.is(ReadingKey::sie_arc_correct, "programmed")) return found;
-  const bool projects = readings.is(ReadingKey::sie_arc_correct, "project");
+  if (readings.is("sie.arc.correct=programmed"_reading)) return found;
+  const bool projects = readings.is("sie.arc.correct=project"_reading);
   found.offset = projects ? projected(ends, centre.offset)
                           : at_start_radius(block.machine, arc, ends, radii, centre);
   found.centre = block.position_in(arc.axes) + found.offset;

@@ -18,7 +18,7 @@ bool is_forgiven(const BlockContext& block, const ArcEnds& ends, const Number& r
   const Number most =
       block.profile.parameter("CIRCLE_ERROR_CONST").value_or(Number::millionths(10'000));
   return ends.chord_within(exact::abs(radius) * 2 + most) &&
-         block.readings.is(ReadingKey::sie_cr_tolerance, "const");
+         block.readings.is("sie.cr.tolerance=const"_reading);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
 Number linear_feed(const BlockContext& block) {
   const Number& written = block.machine.feed;
   if (!block.machine.modes.inch) return written;
-  return block.readings.is(ReadingKey::sie_g70_f, "inch") ? inches(written) : written;
+  return block.readings.is("sie.g70.f=inch"_reading) ? inches(written) : written;
 }
 
 void refuse_words(BlockContext& block, std::initializer_list<Address> addresses) {
@@ -98,7 +98,7 @@ bool spindle_turns(const Machine& machine) {
 // SIE-G1-02; SIE-G1-04 where the reading lets the block run on.
 void need_spindle(BlockContext& block) {
   if (spindle_turns(block.machine)) return;
-  if (!block.readings.is(ReadingKey::sie_spindle, "alarm")) {
+  if (!block.readings.is("sie.spindle=alarm"_reading)) {
     block.out.accept("SIE-G1-04"_clause);
     return;
   }

@@ -39,7 +39,7 @@ void read_motion_name(Motion motion, const grammar::NamedWord& word, CodeReading
 
 void read_name(Control control, const grammar::NamedWord& word, CodeReading& reading) {
   const Code* const name = find_name(control, word);
-  // A code that stands by itself, whatever follows it.
+  // A code that stands by itself; what follows does not belong to it.
   if (name != nullptr && name->treatment == Treatment::read) {
     reading.alarms.push_back({AlarmClass::syntax, "SIE-LEX-02"_clause, WordName(word.name),
                               word.where, fmt::format("{} takes no value.", word.name)});
@@ -50,7 +50,7 @@ void read_name(Control control, const grammar::NamedWord& word, CodeReading& rea
                               fmt::format("The control has no code {}.", word.name)});
   } else if (name->treatment == Treatment::without_effect) {
     reading.warnings.push_back(
-        {fmt::format("{} ({}) is passed over: the gauge reads it as without effect on the path.",
+        {fmt::format("{} ({}) is ignored: the gauge reads it as without effect on the path.",
                      word.name, name->title),
          word.where});
   } else if (!reading.not_covered) {

@@ -40,7 +40,7 @@ struct BlockCodes {
 
 struct CodeReading : GCodeReading {
   BlockCodes codes;
-  std::vector<Warning> warnings;  // of names that are passed over
+  std::vector<Warning> warnings;  // of names that are ignored
 };
 // What the names and G codes of a block are. Names that the control lacks become alarms as well as
 // codes that it lacks.

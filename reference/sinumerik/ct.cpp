@@ -26,7 +26,7 @@ void refuse(BlockContext& block, ClauseId clause, std::string message) {
   block.alarm(AlarmClass::arc_tangent, clause, WordName("CT"), std::move(message));
 }
 
-// Nothing where that cannot be told.
+// Nothing where that is unknown.
 std::optional<int> sign_of(const Number& value) {
   try {
     return value.sign();
@@ -45,12 +45,12 @@ bool may_have_no_sweep(const Vector_2& from, const Vector_2& to) {
   return sign_of(CGAL::determinant(from, to)).value_or(0) == 0;
 }
 
-// Where the programmed centre is kept and the end stands in it (SIE-ARC-08), as far as can be told.
+// Where the programmed centre is kept and the end stands in it (SIE-ARC-08), as far as is known.
 bool may_end_in_centre(const Vector_2& to) {
   return sign_of(to.x()).value_or(0) == 0 && sign_of(to.y()).value_or(0) == 0;
 }
 
-// Whether no text says which way an arc goes at its end, as far as can be told.
+// Whether no text says which way an arc goes at its end, as far as is known.
 bool may_go_no_way(const LastArc& arc) {
   if (may_end_in_centre(arc.to_end)) return true;
   return !arc.closed && std::abs(arc.rot) == 1 && may_have_no_sweep(arc.from_centre, arc.to_end);

@@ -20,7 +20,7 @@ bool is_length(std::uint64_t number) {
 Number CycleCall::parameter(std::uint64_t number) const {
   const Number& written = calculator.parameter(number);
   if (!block.machine.modes.inch || !is_length(number) || written.sign() == 0) return written;
-  return block.readings.is(ReadingKey::sie_lcyc_unit, "inch") ? inches(written) : written;
+  return block.readings.is("sie.lcyc.unit=inch"_reading) ? inches(written) : written;
 }
 
 grammar::Span CycleCall::where() const {

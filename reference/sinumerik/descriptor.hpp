@@ -80,7 +80,7 @@ inline constexpr auto kPocket = std::to_array<CodeWord>({
     {"R127", number, "roughing or finishing", Life::modal},
 });
 
-// SIE-WRD-01: a word that no rule passes over is used, has no meaning for the motion in force
+// SIE-WRD-01: a word that no rule ignores is used, has no meaning for the motion in force
 // (SIE-COM-01), or is a name that is not read (SIE-MOD-02).
 inline constexpr auto kAnyBlock = std::to_array<PassedOver>({
     {"", "S T D H H<n>=", "SIE-MOD-02"_clause,

@@ -170,7 +170,7 @@ void run_translation(BlockContext& block) {
   if (!any) {
     next.clear();
   } else if ((next.is_translated() || next.is_rotated()) &&
-             block.readings.is(ReadingKey::sie_g158, "additive")) {
+             block.readings.is("sie.g158=additive"_reading)) {
     next.translate(by);
   } else {
     next.clear();
@@ -188,7 +188,7 @@ void run_rotation(BlockContext& block) {
   if (!adds) {
     // Touched where it can matter only.
     const bool keeps =
-        machine.frame.is_translated() && block.readings.is(ReadingKey::sie_g258, "rotation-only");
+        machine.frame.is_translated() && block.readings.is("sie.g258=rotation-only"_reading);
     if (keeps) {
       next.set_rotation(machine.plane, 0);
     } else {

@@ -99,7 +99,7 @@ bool Interpreter::parses(const grammar::Block& block, BlockOutput& out) const {
     return address_of(word) == Address::rpl && !word.has_equals;
   };
   const auto bare = std::ranges::find_if(block.named, is_bare);
-  if (bare == block.named.end() || !readings_.is(ReadingKey::sie_rpl_equals, "required")) {
+  if (bare == block.named.end() || !readings_.is("sie.rpl-equals=required"_reading)) {
     return true;
   }
   out.alarms.push_back({AlarmClass::syntax, "SIE-FRM-03"_clause, WordName("RPL"), bare->where,
@@ -174,7 +174,7 @@ WordName word_name(const grammar::NamedWord& word, const std::optional<Address>&
   return address == Address::r ? WordName(fmt::format("R{}", *word.index)) : name_of(*address);
 }
 
-// SIE-PAR-01: from left to right, each assignment at once; what is passed over has a value, too.
+// SIE-PAR-01: from left to right, each assignment at once; what is ignored has a value, too.
 // SIE-COM-01: no address twice. Whether all words have values.
 bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput& out) {
   const grammar::Block& block = words.block();
@@ -271,7 +271,7 @@ void Interpreter::take_modes(BlockContext& block) {
 // SIE-MOD-02
 Motion Interpreter::motion_in_force() const {
   if (machine_.motion) return *machine_.motion;
-  return readings_.is(ReadingKey::sie_initial_motion, "g0") ? Motion::traverse : Motion::line;
+  return readings_.is("sie.initial-motion=g0"_reading) ? Motion::traverse : Motion::line;
 }
 
 // Whether words of the block ask for a motion. Those of an arc do, so that they are checked.

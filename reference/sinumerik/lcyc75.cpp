@@ -40,7 +40,7 @@ void size(const CycleCall& call, const Number& tool_radius, PocketMilling& pocke
     pocket.allowance = allowance;
     pocket.contour_only = allowance.sign() > 0 && allowance_in_depth.sign() == 0;
     pocket.rough_floor = min(pocket.floor + allowance_in_depth, pocket.reference_plane);
-    pocket.one_level = !call.block.readings.is(ReadingKey::sie_finish_levels, "split");
+    pocket.one_level = !call.block.readings.is("sie.finish.levels=split"_reading);
   } else {
     pocket.length = call.parameter(118) - allowance * 2;
     pocket.width = call.parameter(119) - allowance * 2;
@@ -54,11 +54,11 @@ void size(const CycleCall& call, const Number& tool_radius, PocketMilling& pocke
 void divide(const CycleCall& call, PocketMilling& pocket) {
   const ReadingsInUse& readings = call.block.readings;
   pocket.infeed = call.parameter(121);
-  pocket.levels = readings.is(ReadingKey::sie_infeed, "equal")      ? Levels::equal
-                  : readings.is(ReadingKey::sie_infeed, "max-rest") ? Levels::max_rest
-                                                                    : Levels::open;
+  pocket.levels = readings.is("sie.infeed=equal"_reading)      ? Levels::equal
+                  : readings.is("sie.infeed=max-rest"_reading) ? Levels::max_rest
+                                                               : Levels::open;
   if (pocket.levels == Levels::open) return;
-  pocket.levels_from_clearance = readings.is(ReadingKey::sie_infeed_from, "clearance");
+  pocket.levels_from_clearance = readings.is("sie.infeed-from=clearance"_reading);
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ void run_lcyc75(const CycleCall& call) {
       call, RecordKind::rapid, clause,
       {{axes.p, call.parameter(116)}, {axes.q, call.parameter(117)}, {axes.d, call.retract()}});
   put_cycle_motion(call, RecordKind::rapid, clause, {{axes.d, call.clearance()}});
-  const bool named = block.readings.is(ReadingKey::sie_pocket_path, "contour-parallel");
+  const bool named = block.readings.is("sie.pocket.path=contour-parallel"_reading);
   if (call.open_paths == OpenPaths::shown || named) {
     block.out.cycle = contour_parallel(pocket);
   } else {

@@ -87,7 +87,7 @@ void check_sizes(const CycleCall& call) {
   const Number widest = min(call.parameter(118), call.parameter(119)) / 2;
   if (widest.sign() > 0 &&
       decided(kRanges, "R120 - half the pocket", call.parameter(120), widest) > 0 &&
-      call.block.readings.is(ReadingKey::sie_corner, "reject")) {
+      call.block.readings.is("sie.corner=reject"_reading)) {
     call.parameter_alarm(
         AlarmClass::pocket_size, kRanges, 120,
         with_values("The corner radius R120 = {} is larger than half the pocket, {}.",
@@ -119,7 +119,7 @@ void check_allowances(const CycleCall& call, const std::optional<Number>& radius
   }
   need_not_negative(call, 125);
   if (radius && decided(kRanges, "R125 - tool", call.parameter(125), *radius * 2) >= 0 &&
-      call.block.readings.is(ReadingKey::sie_lc75_r125_limit, "alarm")) {
+      call.block.readings.is("sie.lc75.r125-limit=alarm"_reading)) {
     call.parameter_alarm(
         AlarmClass::allowance_too_large, kRanges, 125,
         with_values("The allowance R125 = {} is not smaller than the tool's diameter {}.",

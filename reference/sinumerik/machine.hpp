@@ -28,7 +28,7 @@ struct PlaceMark {
   std::optional<Polar> polar;  // about `centre`
 };
 
-// What a direction at the end of an arc hangs on beside the radius there.
+// What a direction at the end of an arc depends on beside the radius there.
 struct LastArc {
   Vector_2 from_centre;  // to the start
   Vector_2 to_end;       // from the centre
@@ -45,7 +45,7 @@ struct LastArc {
 struct LastMotion {
   Position direction;  // at its end; of any length, for a helix without its climb
   std::optional<LastArc> arc;
-  bool undecided = false;  // of a line: which way it goes cannot be told
+  bool undecided = false;  // of a line: its direction is unknown
 };
 
 struct Machine : MotionState {
@@ -100,7 +100,7 @@ struct ArcPath {
   ClauseId clause = kNoClause;
 };
 
-// In alone.cpp. An alarm for each word beside the code of the block that holds once, but for words
+// In alone.cpp. An alarm for each word beside the code of the block that holds once, except words
 // of its own; where the block has several such codes, for each that stands beside a frame. Whether
 // the call of a cycle stands alone; the same alarms.
 void refuse_all_but(BlockContext& block, std::initializer_list<Address> its_own);

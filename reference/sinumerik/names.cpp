@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// SIE-MOD-02: names that the gauge passes over, and names of the control that it does not read.
+// SIE-MOD-02: names that the gauge ignores, and names of the control that it does not read.
 #include "reference/sinumerik/names.hpp"
 
 #include <algorithm>

@@ -112,7 +112,7 @@ bool refuse_cartesian(BlockContext& block) {
 }
 
 // SIE-POL-01: what the words of the pole's block add to its base. Both axes of the plane, or AP
-// and RP; whatever is not written is 0.
+// and RP; what is not written is 0.
 std::optional<Vector_2> pole_words(BlockContext& block) {
   const BlockWords& words = block.words;
   const PlaneAxes axes = block.plane_axes();

@@ -34,7 +34,7 @@ class FreecadPath(Lines, AdapterCase):
         self.assertRecords("G4 P0.5\n", [{"k": "dwell", "s": "0.5"}])
 
     def test_a_full_circle_is_where_it_is_drawn(self):
-        # About (0, 5), from its own start (5, 5), whatever G2 or G3 and the programmed start say.
+        # About (0, 5), from its own start (5, 5), under G2 and G3 alike and from any programmed start.
         self.assertRecords("G2 X0 Y0 J5 F60\n", [
             {"k": "feed", "to": {"x": 5, "y": 5}},
             {"k": "arc", "c": {"x": 0, "y": 5}, "rot": 1, "to": {"x": 5, "y": 5}}])

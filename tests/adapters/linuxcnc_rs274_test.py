@@ -65,7 +65,7 @@ class LinuxcncRs274(Linuxcnc, AdapterCase):
                 {"k": "rapid", "to": {"x": 5, "z": 4}}, {"k": "m", "m": 2}])
 
     def test_a_threading_cycle(self):
-        # Passes of depth 1 and 1.5; the last motion, to the drive line at the end, leads nowhere.
+        # Passes of depth 1 and 1.5; the last motion, to the drive line at the end, has no length.
         program = "G18 S100 M3\nG0 X20 Z2\nG76 P2 Z-20 I-1 J1 K1.5\n"
         self.assertRecords(program, [
             {"k": "rapid", "to": {"x": 20, "z": 2}}, *(

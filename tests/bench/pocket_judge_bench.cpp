@@ -79,7 +79,7 @@ void judge_trace(const std::string& program, const reference::Profile& profile,
                  const std::string& trace) {
   SubjectInfo subject;
   subject.features = {"blocks"};
-  const JudgeTerms terms = make_terms(subject, profile, std::nullopt, std::nullopt);
+  const Tolerances terms = make_tolerances(subject, profile, std::nullopt, std::nullopt);
   JudgeSession session(profile, program, terms);
   TraceReader reader;
   std::istringstream lines(trace);

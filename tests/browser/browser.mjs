@@ -19,7 +19,7 @@ export async function openBrowser(work, height = 900) {
   });
 }
 
-// Milliseconds of the processor that the page's thread has had so far, whatever else the machine does.
+// Milliseconds of the processor that the page's thread has had so far, without what else the machine does.
 async function threadTime(context, page) {
   const session = await context.newCDPSession(page);
   await session.send('Performance.enable', { timeDomain: 'threadTicks' });

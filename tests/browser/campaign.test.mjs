@@ -42,14 +42,14 @@ const withPage = (body) => withBrowserPage(context, pathToFileURL(join(work, 'ni
 const number = async (page, what) => Number(await page.locator('.totals div', { has: page.locator(`dt:text-is("${what}")`) })
   .locator('dd').innerText());
 
-test('one fault is one finding, with its cause and all of its faces', () => withPage(async (page) => {
+test('one fault is one finding, with its cause and all of its symptoms', () => withPage(async (page) => {
   assert.equal(told.findings.length, 1);
   assert.ok(told.findings[0].faces.length > 10);
-  assert.equal(await page.locator('#told .badge').innerText(), `1 finding, ${told.findings[0].faces.length} faces`);
+  assert.equal(await page.locator('#told .badge').innerText(), `1 finding, ${told.findings[0].faces.length} symptoms`);
   assert.equal(await page.locator('section[id^=finding-]').count(), 1);
   assert.equal(await page.locator('.cause').innerText(), `Behaves as if: ${told.findings[0].cause}.`);
-  assert.equal(await page.locator('#faces-1 tbody tr').count(), told.findings[0].faces.length);
-  const times = (await page.locator('#faces-1 tbody td.number').allInnerTexts()).map(Number);
+  assert.equal(await page.locator('#symptoms-1 tbody tr').count(), told.findings[0].faces.length);
+  const times = (await page.locator('#symptoms-1 tbody td.number').allInnerTexts()).map(Number);
   // By gravity, paths before alarms, and of one verdict the most frequent first.
   const verdicts = told.findings[0].faces.map((face) => face.verdict);
   const isPath = verdicts.map((verdict) => !verdict.startsWith('fail.alarm'));
@@ -61,9 +61,9 @@ test('one fault is one finding, with its cause and all of its faces', () => with
   if (pictures) await page.screenshot({ path: join(pictures, 'campaign.png'), fullPage: true });
 }));
 
-test('a face says when it was seen first and last, and leads to what the judge said', () => withPage(async (page) => {
+test('a symptom says when it was seen first and last, and leads to what the judge said', () => withPage(async (page) => {
   const face = told.findings[0].faces[0];
-  const dates = await page.locator('#faces-1 tbody tr').first().locator('td.dates').allInnerTexts();
+  const dates = await page.locator('#symptoms-1 tbody tr').first().locator('td.dates').allInnerTexts();
   assert.deepEqual(dates, [face.first, face.last].map((seen) => `round ${seen.round}\n${seen.at}`));
   for (const link of await page.locator('a[href]').evaluateAll((nodes) => nodes.map((node) => node.getAttribute('href')))) {
     assert.ok(existsSync(join(work, 'night', link)), link);

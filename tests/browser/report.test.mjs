@@ -13,7 +13,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { openBrowser, withPage as withBrowserPage } from './browser.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const data = join(here, '..', 'oracle', 'report', 'data');
+const data = join(here, '..', 'publish', 'report', 'data');
 const writer = process.env.GONOGO_REPORT_PAGE;
 const work = mkdtempSync(join(tmpdir(), 'gonogo-browser-'));
 

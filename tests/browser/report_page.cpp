@@ -3,7 +3,7 @@
 // report_page RESULTS DIRECTORY: writes the HTML report, for the test in the browser.
 #include <cstdio>
 
-#include "oracle/report/html.hpp"
+#include "publish/report/html.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 3) {

@@ -16,13 +16,13 @@ std::vector<Record> records_of(const std::vector<std::string>& texts) {
   return records;
 }
 
-Finding found(const std::vector<std::string>& want, const std::vector<std::string>& got,
-              const char* dialect = "rs274", const char* program = "\n\n",
-              bool is_exact = false) {
+Judgement found(const std::vector<std::string>& want, const std::vector<std::string>& got,
+                const char* dialect = "rs274", const char* program = "\n\n",
+                bool is_exact = false) {
   const Vector vector{"x.y.000001", dialect, {}, parse_json("{}"), program, {}};
   Expectation expectation;
   expectation.records = records_of(want);
-  Terms terms;
+  Tolerances terms;
   terms.tolerance = Rational(1, 1000);
   terms.is_exact = is_exact;
   return match(vector, expectation, {records_of(got), std::nullopt, TraceEnd::end, {}}, terms);
@@ -207,7 +207,7 @@ TEST(CheckerMatch, AfterARenamingADepartureIsNotDecided) {
 }
 
 TEST(CheckerMatch, FeedsOfABinarySubjectMayBeOffByTwoUnitsOfTheLastPlace) {
-  Terms terms;
+  Tolerances terms;
   terms.is_binary64 = true;
   // Between 64 and 128 the last place is worth 2^-46.
   const Rational unit = parse_rational("0x1p-46");

@@ -45,7 +45,7 @@ Answer answer_to(std::size_t which, const Rational& off) {
   Vector vector{"x.y.000001", "rs274", {}, parse_json("{}"), "\n\n\n\n", {}};
   Expectation expectation;
   expectation.records = records_with(kNumbers.size(), 0);
-  Terms terms;
+  Tolerances terms;
   terms.tolerance = Rational(1, 1000);
   const Trace trace{records_with(which, off), std::nullopt, TraceEnd::end, {}};
   return match(vector, expectation, trace, terms).answer;
@@ -65,7 +65,7 @@ RC_GTEST_PROP(CheckerPerturbation, MoreThanTheToleranceIsNeverAPass, ()) {
   if (below) off = -off;
   RC_PRE(which != 10 || abs(off) < 359);  // a start angle is one modulo 360
   RC_ASSERT(answer_to(which, off) != Answer::fits);
-  // And no excuse is made for it, but for an arc that might go on.
+  // And no excuse is made for it, except an arc that might go on.
   if (which < 3 || which > 7) RC_ASSERT(answer_to(which, off) == Answer::departs);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The checked-in corpus as a whole.
-#include "oracle/corpus/corpus.hpp"
+#include "corpus/io/corpus.hpp"
 
 #include <gtest/gtest.h>
 
 #include "corpus/recipes/build.hpp"
 #include "corpus/recipes/corpus_text.hpp"
 #include "corpus_testing.hpp"
-#include "oracle/corpus/sha256.hpp"
+#include "corpus/io/sha256.hpp"
 
 namespace gonogo::testing {
 namespace {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "oracle/corpus/corpus.hpp"
+#include "corpus/io/corpus.hpp"
 
 namespace gonogo::testing {
 
 // Raised with every change of the corpus (corpus/recipes/corpus.toml).
-inline constexpr const char* kCorpusVersion = "2026.23.0";
+inline constexpr const char* kCorpusVersion = "2026.24.0";
 
 // The corpus of the checkout.
 std::string corpus_folder();

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "corpus_testing.hpp"
-#include "generate/cover/cases.hpp"
+#include "fuzz/generate/cover/cases.hpp"
 
 namespace gonogo::testing {
 namespace {

@@ -107,8 +107,8 @@ TEST(Coverage, EveryExpectationSaysOnWhatItStands) {
   EXPECT_EQ(bases.size(), 3U);
 }
 
-// J-ALM-03: a silent clause excuses a departure, so that a corpus of such cases would say nothing.
-// Two in a hundred are made for the rules themselves.
+// J-ALM-03: an unstated clause excuses a departure, so that a corpus of such cases would say
+// nothing. Two in a hundred are made for the rules themselves.
 TEST(Coverage, FewCasesRestOnARuleOfOurs) {
   std::map<std::string, std::array<std::size_t, 2>> counts;  // all, and those that do
   for (const auto& [id, test] : checked_in_cases()) {
@@ -123,7 +123,7 @@ TEST(Coverage, FewCasesRestOnARuleOfOurs) {
   }
 }
 
-// The clause that a record or an alarm of the reference names is hit whatever a group claims.
+// The clause that a record or an alarm of the reference names is hit, not what a group claims.
 TEST(Coverage, TheRecordsNameAllClausesThatMoveSomething) {
   std::set<std::string_view> named;
   for (const auto& [id, test] : checked_in_cases()) {

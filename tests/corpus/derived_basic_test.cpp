@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Basic codes and arcs worked out by hand, against the vectors.
+// Basic codes and arcs derived by hand, against the vectors.
 #include <gtest/gtest.h>
 
 #include "corpus_testing.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G110 and G111 worked out by hand from the manual, against the vectors. The path by semicircles:
+// G110 and G111 derived by hand from the manual, against the vectors. The path by semicircles:
 // they end at alternating sides of the centre on p, k L/2 away and at most I - D, each about the
 // middle of its chord; then a full circle of radius I - D.
 #include <gtest/gtest.h>

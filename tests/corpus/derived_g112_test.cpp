@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G112 and G113 worked out by hand from the manual, against the vectors. From the centre a
+// G112 and G113 derived by hand from the manual, against the vectors. From the centre a
 // semicircle of radius (I - D)/2 to the circle of radius I - D, on +p; one helix of L turns from
 // the R plane to the bottom; a semicircle back.
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G114 to G117 worked out by hand from the manual, against the vectors. The path that is shown: a
+// G114 to G117 derived by hand from the manual, against the vectors. The path that is shown: a
 // semicircle to rho_0 on +p, straight in to the radius r_n of the pass, the helix, the run-out, up
 // to the R plane, along p to rho_0 + J (external) or rho_0 - J (internal).
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G90 and G92 worked out by hand, against the vectors. A is where the tool stands, C the end point;
+// G90 and G92 derived by hand, against the vectors. A is where the tool stands, C the end point;
 // B lies R beyond C along q, level with A on p: rapid to B, cut to C, out to D along q, rapid to A.
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G94 worked out by hand from the manual, against the vectors. In G18, the power-on plane, p is Z
+// G94 derived by hand from the manual, against the vectors. In G18, the power-on plane, p is Z
 // and q is X; B = C + R on p; X words are diameters and records hold radii.
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cycles of the HNC-21T worked out by hand from the manual and the examples of its time,
+// The cycles of the HNC-21T derived by hand from the manual and the examples of its time,
 // against the vectors. A is where the tool stands, C the programmed end point, B where the cut
 // begins. X words are diameters unless G37 holds; records hold radii, as I, E, K, R and Q do.
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// RS274/NGC path commands worked out by hand, against the vectors. r is the vector from the centre
+// RS274/NGC path commands derived by hand, against the vectors. r is the vector from the centre
 // to the start of an arc, in the order of its plane: (X,Y), (Z,X), (Y,Z). A quarter turn
 // counterclockwise takes (p, q) to (-q, p), one clockwise to (q, -p).
 #include <gtest/gtest.h>

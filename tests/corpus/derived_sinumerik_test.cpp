@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// SINUMERIK 840D path commands worked out by hand or taken from worked examples, against the
+// SINUMERIK 840D path commands derived by hand or taken from worked examples, against the
 // vectors. Every number is rounded to nine decimals. r is the vector from the centre to the start
 // of an arc, in the order of its plane: (X,Y), (Z,X), (Y,Z). A quarter turn counterclockwise takes
 // (p, q) to (-q, p), one clockwise to (q, -p).

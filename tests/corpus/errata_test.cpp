@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/corpus/errata.hpp"
+#include "corpus/io/errata.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/corpus/id_spans.hpp"
+#include "corpus/io/id_spans.hpp"
 
 #include <gtest/gtest.h>
 

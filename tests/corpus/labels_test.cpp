@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "corpus_testing.hpp"
-#include "oracle/report/case_paths.hpp"
-#include "oracle/report/sheet.hpp"
+#include "publish/report/case_paths.hpp"
+#include "publish/report/sheet.hpp"
 
 namespace gonogo::testing {
 namespace {

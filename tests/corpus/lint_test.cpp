@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/corpus/lint.hpp"
+#include "corpus/io/lint.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "corpus_testing.hpp"
-#include "oracle/corpus/corpus_diff.hpp"
-#include "oracle/corpus/folder_writer.hpp"
+#include "corpus/io/corpus_diff.hpp"
+#include "corpus/io/folder_writer.hpp"
 
 namespace gonogo::testing {
 namespace {

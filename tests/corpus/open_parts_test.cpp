@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which records of an expectation are one path of many.
-#include "oracle/corpus/open_parts.hpp"
+#include "corpus/io/open_parts.hpp"
 
 #include <gtest/gtest.h>
 

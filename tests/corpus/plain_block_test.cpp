@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "grammar/line_source.hpp"
-#include "oracle/corpus/corpus.hpp"
+#include "corpus/io/corpus.hpp"
 #include "tests/grammar/both_readings.hpp"
 
 namespace gonogo::grammar {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // results_lines FILE: writes a results file with a case of each sort, for the test of its schema.
-#include "oracle/campaign/results_writer.hpp"
+#include "campaign/results_writer.hpp"
 
 using namespace gonogo::oracle;
 

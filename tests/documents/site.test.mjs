@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The site of the documents: every document has a page, every link of every page leads somewhere
-// within the site, nothing is loaded from elsewhere, and a document whose link leads nowhere is told.
+// within the site, nothing is loaded from elsewhere, and a broken link of a document is reported.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "expanders/registry.hpp"
-#include "oracle/subject.hpp"
+#include "subjects/make_subject.hpp"
 #include "tests/reference/path_trace.hpp"
 #include "tests/reference/rs274/ngc_program.hpp"
 #include "tests/reference/sinumerik/sie_program.hpp"

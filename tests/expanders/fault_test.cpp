@@ -5,7 +5,7 @@
 #include <set>
 
 #include "expanders/registry.hpp"
-#include "fault_exhibit.hpp"
+#include "fault_example.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
@@ -21,7 +21,7 @@ constexpr const char* kWhole = "G115 X0 Z0 V-10 I5 J2 K30 E30 P1 Q0.5 D3 F900\n"
 constexpr const char* kNoRunOut = "G116 X0 Z0 V-10 I5 E30 P1 D3 F900\n";
 constexpr const char* kParameters = R"({"parameters":{"5920":"30","5921":"2"}})";
 
-const ProfiledExhibit kGskExhibits[] = {
+const ProfiledFaultExample kGskFaultExamples[] = {
     {"taper-sign", kTaper},
     {"taper-diameter", kTaper},
     {"taper-leaks-past-motion", "G0 X120 Z0\nG94 X108 Z-30 R-10 F300\nG0 X122\nG94 X100 Z-9\n"},
@@ -117,18 +117,18 @@ const ProfiledExhibit kGskExhibits[] = {
     {"feed-survives-reset", "G1 X1 F9\n"},
 };
 
-class PlantedFault : public ::testing::TestWithParam<ProfiledExhibit> {};
+class PlantedFault : public ::testing::TestWithParam<ProfiledFaultExample> {};
 
 TEST_P(PlantedFault, Shows) {
   // After the reset without a feed of its own.
   expect_shown(GetParam(), "gsk", "G1 Y1\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(Gsk, PlantedFault, ::testing::ValuesIn(kGskExhibits), FaultName());
+INSTANTIATE_TEST_SUITE_P(Gsk, PlantedFault, ::testing::ValuesIn(kGskFaultExamples), FaultName());
 
 TEST(PlantedFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const ProfiledExhibit& exhibit : kGskExhibits) shown.insert(exhibit.fault);
+  for (const ProfiledFaultExample& example : kGskFaultExamples) shown.insert(example.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("gsk")) {
     known.insert(fault.name);

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "expanders/registry.hpp"
-#include "fault_exhibit.hpp"
+#include "fault_example.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
@@ -20,7 +20,7 @@ constexpr const char* kRunOut = "G82 X-4 Z-5 R-1 E2 F2\n";
 constexpr const char* kStarts = "G82 X-4 Z-5 C3 P100 F2\n";
 constexpr const char* kOffset = R"({"offsets":{"G54":{"x":"1","z":"2"}}})";
 
-const ProfiledExhibit kHncExhibits[] = {
+const ProfiledFaultExample kHncFaultExamples[] = {
     {"peck-running-sum", kTenthsPeck},
     {"withdrawal-twice", kUnevenPeck},
     {"extra-peck-at-multiple", "G74 Z-4 R1 Q2 F9\n"},
@@ -74,18 +74,18 @@ const ProfiledExhibit kHncExhibits[] = {
     {"feed-survives-reset", "G01 X1 F9\n"},
 };
 
-class PlantedHncFault : public ::testing::TestWithParam<ProfiledExhibit> {};
+class PlantedHncFault : public ::testing::TestWithParam<ProfiledFaultExample> {};
 
 TEST_P(PlantedHncFault, Shows) {
   // After the reset without a feed of its own.
   expect_shown(GetParam(), "hnc", "G01 Z1\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(Hnc, PlantedHncFault, ::testing::ValuesIn(kHncExhibits), FaultName());
+INSTANTIATE_TEST_SUITE_P(Hnc, PlantedHncFault, ::testing::ValuesIn(kHncFaultExamples), FaultName());
 
 TEST(PlantedHncFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const ProfiledExhibit& exhibit : kHncExhibits) shown.insert(exhibit.fault);
+  for (const ProfiledFaultExample& example : kHncFaultExamples) shown.insert(example.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("hnc")) {
     known.insert(fault.name);

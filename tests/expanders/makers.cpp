@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "expanders/registry.hpp"
-#include "oracle/subject.hpp"
+#include "subjects/make_subject.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::expanders::testing {
@@ -75,8 +75,8 @@ std::span<const Maker> makers() {
 
 oracle::Verdict judged(const std::string& program, const reference::Profile& profile,
                        std::span<const reference::Record> records) {
-  const oracle::JudgeTerms terms =
-      make_terms(subject().info(), profile, std::nullopt, std::nullopt);
+  const oracle::Tolerances terms =
+      make_tolerances(subject().info(), profile, std::nullopt, std::nullopt);
   return judge_outcome(profile, program, terms, records, {}).verdict;
 }
 

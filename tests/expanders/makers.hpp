@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the reference and the expander of sinumerik802s make of a program, as places of the base
-// system, and programs in a frame with the same programs worked out by hand.
+// system, and programs in a frame with the same programs derived by hand.
 #pragma once
 
 #include <rapidcheck.h>

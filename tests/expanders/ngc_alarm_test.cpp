@@ -139,10 +139,10 @@ TEST(NgcAlarm, NothingOfTheBlockMoves) {
 
 TEST(NgcCoverage, OutsideGoesBeforeAlarms) {
   for (const char* block :
-       {"G5 X1",     "G87 Z1", "G38.2 Z1", "G88 X1 X2", "G17.1", "G93",      "G95",   "G41",
-        "G42.1",     "G43 H1", "G55",      "G59.3",     "G96",   "G10 L2",   "G28",   "G30.1",
-        "G53 G0 X1", "G92 X0", "G92.2",    "G51",       "G7",    "G55 G999", "G0 B1", "U1",
-        "V1 F-1",    "W1",     "M98 P1",   "M99",       "M100",  "M199"}) {
+       {"G5 X1",  "G87 Z1", "G38.2 Z1", "G88 X1 X2", "G17.1",    "G41",   "G42.1",
+        "G43 H1", "G55",    "G59.3",    "G10 L2",    "G28",      "G30.1", "G53 G0 X1",
+        "G92 X0", "G92.2",  "G51",      "G7 X1",     "G55 G999", "G0 B1", "U1",
+        "V1 F-1", "W1",     "M98 P1",   "M99",       "M100",     "M199"}) {
     const Outcome outcome = run_ngc(std::string("G0 X1\n") + block + "\n");
     EXPECT_EQ(outcome.answer, GONOGO_UNSUPPORTED) << block;
     EXPECT_EQ(outcome.motions(), "rapid x=1\n") << block;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "expanders/registry.hpp"
-#include "fault_exhibit.hpp"
+#include "fault_example.hpp"
 #include "short_form.hpp"
 
 namespace gonogo::expanders::testing {
@@ -23,8 +23,9 @@ const std::string kLine = "G18 M3/G0 X20 Z2/";
 
 // What each fault must lead to follows from its description and the program by hand; '/' stands for
 // the end of a line.
-const Exhibit kNgcCycleExhibits[] = {
+const FaultExample kNgcCycleFaultExamples[] = {
     {"cycle-plane-ignored", "F9/G18/G81 X1 Y-1 Z-1 R2", "R0,0,2 R1,-1,2 F1,-1,-1 R1,-1,2"},
+    {"cycle-in-inverse-time", "G93/G81 X1 Z-1 R2 F5", "alarm feed-missing"},
     {"depth-from-tool", "F9/G0 Z10/G91 G81 Z-7 R-5", "R0,0,10 R0,0,5 F0,0,3 R0,0,5"},
     {"stale-step", "F9/G0 X1 Y2 Z10/G91 G81 X1 Z-1 R-2", "R1,2,10 R2,4,10 R2,4,8 F2,4,7 R2,4,8"},
     {"levels-drift", "F9/G91 G81 X1 Z-1 R2 L2",
@@ -145,7 +146,7 @@ const Exhibit kNgcCycleExhibits[] = {
 };
 
 // Where no program of the default profile shows it, or none that ends.
-const ProfiledExhibit kNgcCycleProfiled[] = {
+const ProfiledFaultExample kNgcCycleProfiled[] = {
     {"cycle-ignores-offset", "F9\nG81 X1 Z-1 R0\n", R"({"initial":{"x":"3"}})"},
     {"endless-pecks", "F9\nG83 Z-1 R0 Q0.005\n"},
 };
@@ -155,21 +156,21 @@ std::string lines_of(std::string program) {
   return program + "\n";
 }
 
-std::string shown_by(const Exhibit& exhibit, const char* fault) {
+std::string shown_by(const FaultExample& example, const char* fault) {
   std::string text;
-  for (const std::string& record : short_form(run_ngc(lines_of(exhibit.program), "{}", fault))) {
+  for (const std::string& record : short_form(run_ngc(lines_of(example.program), "{}", fault))) {
     text += (text.empty() ? "" : " ") + record;
   }
   return text;
 }
 
-class PlantedNgcCycleFault : public ::testing::TestWithParam<Exhibit> {};
-class PlantedNgcCycleProfiled : public ::testing::TestWithParam<ProfiledExhibit> {};
+class PlantedNgcCycleFault : public ::testing::TestWithParam<FaultExample> {};
+class PlantedNgcCycleProfiled : public ::testing::TestWithParam<ProfiledFaultExample> {};
 
 TEST_P(PlantedNgcCycleFault, Shows) {
-  const Exhibit& exhibit = GetParam();
-  const std::string program = lines_of(exhibit.program);
-  EXPECT_NE(run_ngc(program, "{}", exhibit.fault).all(), run_ngc(program).all());
+  const FaultExample& example = GetParam();
+  const std::string program = lines_of(example.program);
+  EXPECT_NE(run_ngc(program, "{}", example.fault).all(), run_ngc(program).all());
 }
 
 TEST_P(PlantedNgcCycleFault, IsTheOneThatItsNameSays) {
@@ -186,7 +187,7 @@ TEST_P(PlantedNgcCycleFault, IsCountedWhereItIsMet) {
   EXPECT_GT(*after.triggered, *before.triggered);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcCycleFault, ::testing::ValuesIn(kNgcCycleExhibits),
+INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcCycleFault, ::testing::ValuesIn(kNgcCycleFaultExamples),
                          FaultName());
 
 TEST_P(PlantedNgcCycleProfiled, Shows) {
@@ -198,8 +199,8 @@ INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcCycleProfiled, ::testing::ValuesIn(kNgcC
 
 TEST(PlantedNgcCycleFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const Exhibit& exhibit : kNgcCycleExhibits) shown.insert(exhibit.fault);
-  for (const ProfiledExhibit& exhibit : kNgcCycleProfiled) shown.insert(exhibit.fault);
+  for (const FaultExample& example : kNgcCycleFaultExamples) shown.insert(example.fault);
+  for (const ProfiledFaultExample& example : kNgcCycleProfiled) shown.insert(example.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("ngc")) {
     const bool of_cycle = fault.clause.starts_with("NGC-CYC") ||

@@ -5,13 +5,13 @@
 #include <set>
 
 #include "expanders/registry.hpp"
-#include "fault_exhibit.hpp"
+#include "fault_example.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
 
 // What each fault must lead to follows from its description and the program by hand.
-const Exhibit kNgcExhibits[] = {
+const FaultExample kNgcFaultExamples[] = {
     {"g18-sense-flipped", "G18 G2 Z4 K2 F9\nG17 G2 X4 I2\n",
      "1 arc18 c=2,0 rot=1 x=0 z=4 f=9\n2 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
     {"g3-clockwise", "G3 X4 I2 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
@@ -37,6 +37,10 @@ const Exhibit kNgcExhibits[] = {
     {"turns-unchecked", "G2 X4 I2 P1.5 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
     {"g91-ignored-after-g90", "G91 G0 X1\nX1\nG90 X3\nG91 X1\n",
      "1 rapid x=1\n2 rapid x=2\n3 rapid x=3\n4 rapid x=1\n"},
+    {"feed-survives-its-mode", "G1 X1 F9\nG95 X2\n", "1 feed x=1 f=9\n2 feed x=2 f=9/rev\n"},
+    {"inverse-time-of-all-axes", "G93 G1 X3 A4 F2\n", "1 feed x=3 a=4 f=10\n"},
+    {"x-never-halved", "G7\nG0 X4\n", "2 rapid x=4\n"},
+    {"feed-not-restored", "F9 G1 M70\nF5\nM72\nX1\n", "1 m 70\n3 m 72\n4 feed x=1 f=5\n"},
     {"inch-feed-unscaled", "G20\nG1 X1 F9\n", "2 feed x=25.4 f=9\n"},
     {"inch-offsets-unscaled", "G20\nG2 I2 F9\n", "2 arc17 c=2,0 rot=-1 x=0 y=0 f=228.6\n"},
     {"inch-rotary-scaled", "G20\nG0 A1\n", "2 rapid a=25.4\n"},
@@ -70,7 +74,7 @@ const Exhibit kNgcExhibits[] = {
 // Those of numbers that must be whole show where they need not be so exactly, that of the end where
 // there must be one.
 constexpr const char* kNearIsWhole = R"({"readings":{"ngc.whole":"nist"}})";
-const ProfiledExhibit kNgcReadingExhibits[] = {
+const ProfiledFaultExample kNgcReadingFaultExamples[] = {
     {"second-tape-mark-optional", "%\nG0 X1\n"},
     {"whole-limit-refused", "G2 X4 I2 P3.0001 F9\n", kNearIsWhole},
     {"near-whole-cut", "M7.99995\n", kNearIsWhole},
@@ -78,23 +82,23 @@ const ProfiledExhibit kNgcReadingExhibits[] = {
 };
 
 // The same, and that what the expander says of it tells so.
-template <typename AnyExhibit>
-void expect_shown_and_counted(const AnyExhibit& exhibit, const char* after_reset) {
-  const FaultCount before = count("ngc", exhibit.fault).value();
-  expect_shown(exhibit, "ngc", after_reset);
-  const FaultCount after = count("ngc", exhibit.fault).value();
+template <typename AnyFaultExample>
+void expect_shown_and_counted(const AnyFaultExample& example, const char* after_reset) {
+  const FaultCount before = count("ngc", example.fault).value();
+  expect_shown(example, "ngc", after_reset);
+  const FaultCount after = count("ngc", example.fault).value();
   EXPECT_GT(after.reached, before.reached);
   EXPECT_GT(*after.triggered, *before.triggered);
 }
 
-class PlantedNgcFault : public ::testing::TestWithParam<Exhibit> {};
-class PlantedNgcReadingFault : public ::testing::TestWithParam<ProfiledExhibit> {};
+class PlantedNgcFault : public ::testing::TestWithParam<FaultExample> {};
+class PlantedNgcReadingFault : public ::testing::TestWithParam<ProfiledFaultExample> {};
 
 TEST_P(PlantedNgcReadingFault, Shows) {
   expect_shown_and_counted(GetParam(), "G0 X1\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcReadingFault, ::testing::ValuesIn(kNgcReadingExhibits),
+INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcReadingFault, ::testing::ValuesIn(kNgcReadingFaultExamples),
                          FaultName());
 
 TEST_P(PlantedNgcFault, Shows) {
@@ -103,16 +107,16 @@ TEST_P(PlantedNgcFault, Shows) {
 }
 
 TEST_P(PlantedNgcFault, IsTheOneThatItsNameSays) {
-  const Exhibit& exhibit = GetParam();
-  EXPECT_EQ(run_ngc(exhibit.program, "{}", exhibit.fault).trace(), exhibit.want);
+  const FaultExample& example = GetParam();
+  EXPECT_EQ(run_ngc(example.program, "{}", example.fault).trace(), example.want);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcFault, ::testing::ValuesIn(kNgcExhibits), FaultName());
+INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcFault, ::testing::ValuesIn(kNgcFaultExamples), FaultName());
 
 TEST(PlantedNgcFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const Exhibit& exhibit : kNgcExhibits) shown.insert(exhibit.fault);
-  for (const ProfiledExhibit& exhibit : kNgcReadingExhibits) shown.insert(exhibit.fault);
+  for (const FaultExample& example : kNgcFaultExamples) shown.insert(example.fault);
+  for (const ProfiledFaultExample& example : kNgcReadingFaultExamples) shown.insert(example.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("ngc")) {
     // Those of the cycles are shown in a file of their own.

@@ -143,7 +143,7 @@ TEST(NgcSubject, DescribesItself) {
       "basic", "arc",   "arc-r", "planes",      "helix",       "arc-distance",
       "turns", "lines", "g81",   "g73",         "g83",         "g84",
       "g74",   "g85",   "g86",   "cycle-modal", "cycle-steps", "cycle-planes",
-      "g33",   "g33.1", "g76",   "rotary",      "linuxcnc"};
+      "g33",   "g33.1", "g76",   "rotary",      "feed-modes",  "linuxcnc"};
   EXPECT_EQ(json["dialects"]["rs274"], features);
 }
 

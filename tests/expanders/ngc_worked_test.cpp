@@ -218,7 +218,7 @@ const Worked kHoles[] = {
      "R0,0,10 R1,0,10 R1,0,2 F1,0,-1 R1,0,2 F2,0,2 R3,0,2 F3,0,-1 R3,0,2", kSame, kSame},
 };
 
-// The roots and tangents are worked out to the ninth decimal: sqrt(2)/2 = 0.707106781,
+// The roots and tangents are derived to the ninth decimal: sqrt(2)/2 = 0.707106781,
 // sqrt(3)/2 = 0.866025404, sqrt(5) = 2.236067977, 1/sqrt(3) = 0.577350269, 44/sqrt(485) =
 // 1.997937080.
 #define GONOGO_DRIVE_LINE "G18 S100 M3/G0 X20 Z2/"

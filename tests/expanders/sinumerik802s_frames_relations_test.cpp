@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A path programmed in a frame of sinumerik802s, and the same path with its coordinates worked out
+// A path programmed in a frame of sinumerik802s, and the same path with its coordinates derived
 // by hand: in the reference and in the expander.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -32,7 +32,7 @@ Path some_path() {
     std::string code = any_between(0, 1) == 1 ? "G0" : "G1";
     const std::int64_t kind = any_between(0, 4);
     const char* sense = any_between(0, 1) == 1 ? "G2" : "G3";
-    if (kind == 2) {  // a quarter, a half, or three, whatever the sense
+    if (kind == 2) {  // a quarter, a half, or three, in either sense
       std::array<std::int64_t, 2> spoke = {5 * any_between(1, 9'000), length()};
       extra.push_back({-spoke[0], -spoke[1], 0});
       const std::array<std::int64_t, 2> centre = {at[0] - spoke[0], at[1] - spoke[1]};
@@ -59,7 +59,7 @@ Path some_path() {
   return path;
 }
 
-// As it stands in the frame, or worked out.
+// As it stands in the frame, or derived.
 std::string written(const Path& path, const Turn& turn, bool worked_out) {
   std::string text;
   for (std::size_t i = 0; i < path.to.size(); ++i) {

@@ -89,7 +89,7 @@ RC_GTEST_PROP(SinumerikPocketRelations, ATurnedFrameTurnsTheCycles, ()) {
   }
 }
 
-// Frames against coordinates worked out: by quarters, length and width change places.
+// Frames against coordinates derived: by quarters, length and width change places.
 RC_GTEST_PROP(SinumerikPocketRelations, APocketInAFrameIsThePocketWorkedOut, ()) {
   const Turn turn = some_turn(true);
   const Pocket pocket = some_pocket();

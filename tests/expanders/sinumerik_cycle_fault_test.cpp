@@ -5,7 +5,7 @@
 #include <set>
 
 #include "expanders/registry.hpp"
-#include "fault_exhibit.hpp"
+#include "fault_example.hpp"
 #include "sinumerik_motions.hpp"
 
 namespace gonogo::expanders::testing {
@@ -23,7 +23,7 @@ const std::string kDrill = "G1 F9\nR101=5 R102=1 R104=-2 R105=3\n";
 
 // What each fault must lead to follows from its description and the program by hand. With tool 1,
 // radius 5, a pocket of 12 x 12 leaves a square of half side 1, one of 14 x 14 of half side 2.
-const Exhibit kCycleExhibits[] = {
+const FaultExample kCycleFaultExamples[] = {
     {"g158-adds", "G158 X1\nG158 X2\nG0 X0\n", "rapid x=3\n"},
     // Under the rotation the tool stands at (0, 1).
     {"g158-keeps-rotation", "G258 RPL=90\nG158 X1\nG0 X2\n", "rapid y=2\n"},
@@ -108,25 +108,25 @@ std::string trace(const Outcome& outcome) {
   return text;
 }
 
-class PlantedCycleFault : public ::testing::TestWithParam<Exhibit> {};
+class PlantedCycleFault : public ::testing::TestWithParam<FaultExample> {};
 
 TEST_P(PlantedCycleFault, Shows) {
-  const Exhibit& exhibit = GetParam();
-  const Outcome sound = run_sinumerik802s(exhibit.program, kToolsProfile);
-  EXPECT_NE(run_sinumerik802s(exhibit.program, kToolsProfile, exhibit.fault).all(), sound.all());
+  const FaultExample& example = GetParam();
+  const Outcome sound = run_sinumerik802s(example.program, kToolsProfile);
+  EXPECT_NE(run_sinumerik802s(example.program, kToolsProfile, example.fault).all(), sound.all());
 }
 
 TEST_P(PlantedCycleFault, IsTheOneThatItsNameSays) {
-  const Exhibit& exhibit = GetParam();
-  EXPECT_EQ(trace(run_sinumerik802s(exhibit.program, kToolsProfile, exhibit.fault)), exhibit.want);
+  const FaultExample& example = GetParam();
+  EXPECT_EQ(trace(run_sinumerik802s(example.program, kToolsProfile, example.fault)), example.want);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sinumerik, PlantedCycleFault, ::testing::ValuesIn(kCycleExhibits),
+INSTANTIATE_TEST_SUITE_P(Sinumerik, PlantedCycleFault, ::testing::ValuesIn(kCycleFaultExamples),
                          FaultName());
 
 TEST(PlantedCycleFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const Exhibit& exhibit : kCycleExhibits) shown.insert(exhibit.fault);
+  for (const FaultExample& example : kCycleFaultExamples) shown.insert(example.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("sinumerik")) {
     const bool path = !fault.clause.starts_with("SIE-FRM") && !fault.clause.starts_with("SIE-LC");

@@ -5,13 +5,13 @@
 #include <set>
 
 #include "expanders/registry.hpp"
-#include "fault_exhibit.hpp"
+#include "fault_example.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
 
 // What each fault must lead to follows from its description and the program by hand.
-const Exhibit kPathExhibits[] = {
+const FaultExample kPathFaultExamples[] = {
     {"g18-sense-flipped", "G18 G2 Z4 K2 F9\nG17 G2 X4 I2\n",
      "1 arc18 c=2,0 rot=1 x=0 z=4 f=9\n2 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
     {"cr-sign-swapped", "G2 X6 CR=5 F9\nG3 X0 CR=-5\n",
@@ -78,7 +78,7 @@ const Exhibit kPathExhibits[] = {
     {"parameters-survive-reset", "G0 X1 R1=7\n", "1 rapid x=1\n"},
 };
 
-class PlantedSinumerikFault : public ::testing::TestWithParam<Exhibit> {};
+class PlantedSinumerikFault : public ::testing::TestWithParam<FaultExample> {};
 
 TEST_P(PlantedSinumerikFault, Shows) {
   // After the reset with a parameter that has no value of its own.
@@ -86,16 +86,16 @@ TEST_P(PlantedSinumerikFault, Shows) {
 }
 
 TEST_P(PlantedSinumerikFault, IsTheOneThatItsNameSays) {
-  const Exhibit& exhibit = GetParam();
-  EXPECT_EQ(run_sinumerik(exhibit.program, "{}", exhibit.fault).trace(), exhibit.want);
+  const FaultExample& example = GetParam();
+  EXPECT_EQ(run_sinumerik(example.program, "{}", example.fault).trace(), example.want);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sinumerik, PlantedSinumerikFault, ::testing::ValuesIn(kPathExhibits),
+INSTANTIATE_TEST_SUITE_P(Sinumerik, PlantedSinumerikFault, ::testing::ValuesIn(kPathFaultExamples),
                          FaultName());
 
 TEST(PlantedSinumerikFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const Exhibit& exhibit : kPathExhibits) shown.insert(exhibit.fault);
+  for (const FaultExample& example : kPathFaultExamples) shown.insert(example.fault);
   std::set<std::string_view> known;
   std::set<std::string_view> names;
   for (const FaultDescription& fault : faults("sinumerik")) {

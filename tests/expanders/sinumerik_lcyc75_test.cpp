@@ -46,7 +46,7 @@ TEST(SinumerikPocket, LevelsOfTheFirstExample) {
 }
 
 TEST(SinumerikPocket, LevelsThatAreThirds) {
-  // 19 by 19/3 is three levels, whatever binary64 makes of the third.
+  // 19 by 19/3 is three levels, though binary64 rounds the third.
   EXPECT_EQ(plunges(milled(kSmallPocket + "R104=-19 R121=19/3\nLCYC75\n")).size(), 3u);
   EXPECT_EQ(plunges(milled(kSmallPocket + "R104=-17 R121=17/3\nLCYC75\n")).size(), 3u);
   EXPECT_EQ(plunges(milled(kSmallPocket + "R104=-19 R121=6.333\nLCYC75\n")).size(), 4u);

@@ -65,7 +65,7 @@ TEST(SinumerikText, CallsThatArePassedOver) {
   const Outcome outcome =
       run_sinumerik("MSG(\"A ; ) \xE5\x88\x80\")\nG0 SOFT X1 LIMS=3000 H5=12\n");
   EXPECT_EQ(outcome.motions(), "rapid x=1\n");
-  EXPECT_EQ(outcome.note, "LIMS is passed over.");
+  EXPECT_EQ(outcome.note, "LIMS is ignored.");
   EXPECT_EQ(motions_and_alarm("MSG(\"A\"\n"), "syntax");
   EXPECT_EQ(motions_and_alarm("MSG(\"A)\n"), "syntax");
 }

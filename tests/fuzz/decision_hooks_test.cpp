@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "generate/decision_mutator.hpp"
+#include "fuzz/generate/decision_mutator.hpp"
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned int seed);

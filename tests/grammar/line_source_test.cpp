@@ -131,7 +131,7 @@ TEST(FileSource, IsReadFromTheBeginningByEachThatReadsIt) {
   std::fclose(file);
 }
 
-// Whatever the pieces in which the bytes come.
+// For any pieces in which the bytes come.
 TEST(LineSource, ACarriageReturnAloneMayBeABlank) {
   for (std::size_t most = 1; most <= 6; ++most) {
     PiecewiseSource bytes("G1\rG2\r\nG3\r\r\nG4\n\rG5\r", most, most);
@@ -226,6 +226,17 @@ TEST(LineSource, AnEndlessLineIsReportedAtOnce) {
   EXPECT_TRUE(line.too_long);
 }
 
+// A pipe that never ends a line ends the text at some point.
+TEST(LineSource, ALineWithoutEndEndsTheText) {
+  EndlessSource bytes;
+  LineSource lines(bytes);
+  Line line;
+  ASSERT_TRUE(lines.next(line));
+  EXPECT_TRUE(line.too_long);
+  EXPECT_FALSE(lines.next(line));
+  EXPECT_FALSE(lines.next(line));
+}
+
 TEST(DescriptorSource, ReadsAPipe) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
@@ -242,7 +253,7 @@ TEST(DescriptorSource, ReadsOnAfterASignal) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
   interrupted_pipe = ends[1];
-  struct sigaction action {};  // without SA_RESTART: the read that waits is broken off
+  struct sigaction action {};  // without SA_RESTART: the read that waits is interrupted
   action.sa_handler = [](int) { (void)!::write(interrupted_pipe, "a", 1); };
   ASSERT_EQ(::sigaction(SIGALRM, &action, nullptr), 0);
   const itimerval soon{{0, 0}, {0, 20000}};

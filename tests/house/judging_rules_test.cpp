@@ -71,8 +71,9 @@ std::multiset<std::string> rules() {
 }
 
 const std::map<std::string, std::string>& code() {
-  static const auto kCited = cited_in(
-      {"grammar", "reference", "oracle", "fuzz", "cli", "expanders", "checker", "relations"});
+  static const auto kCited =
+      cited_in({"grammar", "reference", "oracle", "subjects", "corpus", "campaign", "capture",
+                "publish", "fuzz", "cli", "expanders", "checker"});
   return kCited;
 }
 
@@ -139,7 +140,7 @@ TEST(JudgingConstants, StandInOneTable) {
   static const std::regex kNamed(
       R"(constexpr (const )?(static )?(int|double|float|auto|(std::)?\w+_t)\s+\w+(\[\])?\s*=\s*[-{]?[\d.])");
   static const std::regex kSmallNumber(R"(\d[eE]-\d+)");
-  for (const char* room : {"judge", "region"}) {
+  for (const char* room : {"region", "motion", "steps", "open", "judge"}) {
     for (const auto& file : fs::directory_iterator(kSources / "oracle" / room)) {
       if (file.path().filename() == "constants.hpp") continue;
       std::istringstream text(text_of(file.path()));

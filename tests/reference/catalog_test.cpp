@@ -106,7 +106,7 @@ TEST(Catalog, AClauseThatNoTextStatesSaysSo) {
   EXPECT_GE(silent, 30U);
 }
 
-// R7: what the other answer to a silent rule is stands in the catalog, by the names of
+// R7: what the other answer to an unstated rule is stands in the catalog, by the names of
 // alarms.
 TEST(Catalog, OnlyASilentClauseHasAnotherAnswer) {
   for (const Clause& clause : clauses()) {

@@ -127,10 +127,10 @@ void expect_full(const Profile& profile) {
   EXPECT_FALSE(profile.parameter("5920").has_value());
   EXPECT_EQ(profile.reference_point[Axis::x], num("200"));
   EXPECT_EQ(profile.reference_point[Axis::z], num("300"));
-  EXPECT_EQ(profile.readings.get(ReadingKey::pocket_end), "r-plane");
-  EXPECT_EQ(profile.readings.get(ReadingKey::pocket_p_omitted), "0.5");
-  EXPECT_EQ(profile.readings.get(ReadingKey::decimals), "any");
-  EXPECT_EQ(profile.readings.get(ReadingKey::x_depth), "any");
+  EXPECT_EQ(profile.readings.get("gsk.pocket.end"_key), "r-plane");
+  EXPECT_EQ(profile.readings.get("gsk.pocket.p-omitted"_key), "0.5");
+  EXPECT_EQ(profile.readings.get("gsk.decimals"_key), "any");
+  EXPECT_EQ(profile.readings.get("gsk.x-depth"_key), "any");
 }
 
 TEST(Profile, TomlGivesEveryKey) {
@@ -318,7 +318,7 @@ TEST(Profile, SettingAReadingIsAsTheProfileSaysIt) {
   EXPECT_EQ(profile, toml("[readings]\n\"gsk.pocket.end\" = \"r-plane\""));
   EXPECT_TRUE(set_reading(profile, "gsk.pocket.end", "R").has_value());
   EXPECT_TRUE(set_reading(profile, "gsk.nothing", "any").has_value());
-  EXPECT_EQ(profile.readings.get(ReadingKey::pocket_end), "r-plane");
+  EXPECT_EQ(profile.readings.get("gsk.pocket.end"_key), "r-plane");
 }
 
 TEST(Profile, TheDefaultsAreWrittenAsNothing) {

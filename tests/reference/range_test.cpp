@@ -12,7 +12,7 @@ namespace {
 // How a program ends: "end", "value-out-of-range@2", "not covered@2 range".
 std::string end_of(std::string_view dialect, std::string_view program) {
   auto profile = std::get<Profile>(default_profile(dialect));
-  profile.readings.set(ReadingKey::ngc_program_end, "free");
+  profile.readings.set("ngc.program-end=free"_reading);
   grammar::MemorySource bytes(program);
   grammar::LineSource lines(bytes);
   Expander expander(profile, lines, OpenPaths::shown);

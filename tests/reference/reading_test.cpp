@@ -43,7 +43,7 @@ TEST(Reading, EachIsAChoiceBetweenTwoAtLeast) {
 }
 
 // S and M3 of SINUMERIK say that a spindle need not turn. All documents of rs274 say the same of
-// these, whatever interpreters do.
+// these, not what interpreters do.
 TEST(Reading, EachIsOpenByDefaultButWhereATextDecides) {
   std::set<std::string_view> decided;
   for (const Reading& entry : readings()) {
@@ -75,7 +75,7 @@ TEST(Reading, EachNamesItsDialectItsClauseAndItsChoice) {
 }
 
 TEST(Reading, TheReadingsOfThe840DAreThoseOfThe802SToo) {
-  const Reading& correct = reading(ReadingKey::sie_arc_correct);
+  const Reading& correct = reading("sie.arc.correct"_key);
   EXPECT_TRUE(correct.belongs_to("sinumerik840d"));
   EXPECT_TRUE(correct.belongs_to("sinumerik802s"));
   EXPECT_FALSE(correct.belongs_to("rs274"));
@@ -83,7 +83,7 @@ TEST(Reading, TheReadingsOfThe840DAreThoseOfThe802SToo) {
 }
 
 TEST(Reading, AnAlternativeIsWrittenAsItStands) {
-  const Reading& end = reading(ReadingKey::pocket_end);
+  const Reading& end = reading("gsk.pocket.end"_key);
   EXPECT_TRUE(admits(end, "initial"));
   EXPECT_TRUE(admits(end, "r-plane"));
   EXPECT_TRUE(admits(end, "any"));
@@ -93,7 +93,7 @@ TEST(Reading, AnAlternativeIsWrittenAsItStands) {
 }
 
 TEST(Reading, ALengthIsAnyExactNumberFromZero) {
-  const Reading& clearance = reading(ReadingKey::pocket_p_omitted);
+  const Reading& clearance = reading("gsk.pocket.p-omitted"_key);
   for (std::string_view value : {"0", "0.5", "1", "1/3", "any"}) {
     EXPECT_TRUE(admits(clearance, value));
   }
@@ -112,50 +112,51 @@ TEST(Reading, ANewChoiceIsTheDefaults) {
 TEST(Reading, AnAlternativeThatIsChosenIsTheOnlyOneThatHolds) {
   for (const Reading& entry : readings()) {
     if (entry.is_length) continue;
-    for (std::string_view chosen : entry.alternatives) {
+    const auto count = static_cast<std::uint8_t>(entry.alternatives.size());
+    for (std::uint8_t chosen = 1; chosen <= count; ++chosen) {
       ReadingChoice choice;
-      choice.set(entry.key, chosen);
+      choice.set(entry.key, entry.alternatives[chosen - 1U]);
       const ReadingsInUse in_use(choice);
-      for (std::string_view other : entry.alternatives) {
-        EXPECT_EQ(in_use.is(entry.key, other), other == chosen) << entry.name << " = " << chosen;
+      EXPECT_FALSE(in_use.is({entry.key, 0})) << entry.name;  // "any"
+      for (std::uint8_t other = 1; other <= count; ++other) {
+        EXPECT_EQ(in_use.is({entry.key, other}), other == chosen) << entry.name << " " << +chosen;
       }
-      EXPECT_FALSE(in_use.is(entry.key, "any")) << entry.name;
     }
   }
 }
 
 TEST(Reading, AnyShowsTheFirstAlternative) {
   ReadingChoice choice;
-  choice.set(ReadingKey::pocket_end, "any");
+  choice.set("gsk.pocket.end=any"_reading);
   const ReadingsInUse in_use(choice);
-  EXPECT_TRUE(in_use.is(ReadingKey::pocket_end, "initial"));
-  EXPECT_FALSE(in_use.is(ReadingKey::pocket_end, "r-plane"));
-  EXPECT_FALSE(in_use.is(ReadingKey::pocket_end, "any"));
+  EXPECT_TRUE(in_use.is("gsk.pocket.end=initial"_reading));
+  EXPECT_FALSE(in_use.is("gsk.pocket.end=r-plane"_reading));
+  EXPECT_FALSE(in_use.is("gsk.pocket.end=any"_reading));
 }
 
 TEST(Reading, AnyThatPropertiesJudgeStaysOpen) {
   ReadingChoice choice;
-  choice.set(ReadingKey::pocket_path, "any");
+  choice.set("gsk.pocket.path=any"_reading);
   const ReadingsInUse in_use(choice);
-  EXPECT_TRUE(in_use.is(ReadingKey::pocket_path, "any"));
-  EXPECT_FALSE(in_use.is(ReadingKey::pocket_path, "semicircles"));
+  EXPECT_TRUE(in_use.is("gsk.pocket.path=any"_reading));
+  EXPECT_FALSE(in_use.is("gsk.pocket.path=semicircles"_reading));
 }
 
 TEST(Reading, ALengthIsItsNumber) {
   ReadingChoice choice;
-  choice.set(ReadingKey::pocket_p_omitted, "0.25");
-  EXPECT_EQ(ReadingsInUse(choice).length(ReadingKey::pocket_p_omitted), exact::Number(1) / 4);
+  choice.set("gsk.pocket.p-omitted"_key, "0.25");
+  EXPECT_EQ(ReadingsInUse(choice).length("gsk.pocket.p-omitted"_key), exact::Number(1) / 4);
 }
 
 TEST(Reading, OneThatIsAskedIsTouched) {
   const ReadingChoice choice;
   const ReadingsInUse in_use(choice);
   EXPECT_TRUE(in_use.touched().empty());
-  in_use.is(ReadingKey::x_depth, "radius");
-  in_use.length(ReadingKey::pocket_p_omitted);
-  EXPECT_TRUE(in_use.touched(ReadingKey::x_depth));
-  EXPECT_FALSE(in_use.touched(ReadingKey::pocket_end));
-  const std::vector<ReadingKey> touched = {ReadingKey::pocket_p_omitted, ReadingKey::x_depth};
+  in_use.is("gsk.x-depth=radius"_reading);
+  in_use.length("gsk.pocket.p-omitted"_key);
+  EXPECT_TRUE(in_use.touched("gsk.x-depth"_key));
+  EXPECT_FALSE(in_use.touched("gsk.pocket.end"_key));
+  const std::vector<ReadingKey> touched = {"gsk.pocket.p-omitted"_key, "gsk.x-depth"_key};
   EXPECT_EQ(in_use.touched(), touched);
 }
 

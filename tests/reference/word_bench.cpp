@@ -68,7 +68,7 @@ Bench ngc_bench(std::string_view code) {
   }
   if (code == "G4") bench.words = {{"P", "1"}};
   // Holes: from above the R plane, with a spindle that turns as G74 or the others have it. The
-  // thread has few passes whatever its degression.
+  // thread has few passes with any degression.
   const Words hole = {{"X", "40"}, {"Y", "-5"}, {"Z", "-4"}, {"R", "3"}};
   const Words dwelling = {{"X", "40"}, {"Y", "-5"}, {"Z", "-4"}, {"R", "3"}, {"P", "1"}};
   const Words pecks = {{"X", "40"}, {"Y", "-5"}, {"Z", "-4"}, {"R", "3"}, {"Q", "3"}};
@@ -109,7 +109,10 @@ Bench ngc_bench(std::string_view code) {
   // What an offset of each axis does is seen where all of them move.
   if (code == "G10") bench.words = {{"L", "2"}, {"P", "1"}, {"X", "40"}};
   if (code == "G43") bench.words = {{"H", "1"}};
-  if (code == "G10" || code == "G43" || code == "G43.1" || code == "G92") {
+  if (code == "G43.2") bench.words = {{"H", "1"}};
+  if (code == "G7") bench.words = {{"Y", "-5"}};  // NGC-DIA-02
+  const bool moves_origin = code == "G10" || code == "G52" || code == "G92";
+  if (moves_origin || code.starts_with("G43")) {
     bench.behind = "G0 X38 Y-6 Z1 A1 C1\nG1 X37 Y-7\nM2";
   }
   return bench;

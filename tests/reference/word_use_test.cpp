@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every word beside every code that the gauge reads is used, passed over by a rule that is listed,
+// Every word beside every code that the gauge reads is used, ignored by a rule that is listed,
 // refused under a clause, or not covered by its name: none is dropped in silence. And the table of
 // the dialect says which.
 #include <fmt/format.h>

@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "libraries.hpp"
-#include "oracle/subjects/interface_handle.hpp"
-#include "oracle/subjects/interface_record.hpp"
+#include "subjects/interface_handle.hpp"
+#include "subjects/interface_record.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/subjects/library_subject.hpp"
+#include "subjects/library_subject.hpp"
 
 namespace gonogo::oracle {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "libraries.hpp"
-#include "oracle/subjects/library_file.hpp"
+#include "subjects/library_file.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -18,7 +18,7 @@ vendor() {
   local prefix=$1
   shift
   env -i PATH="$prefix/bin:/usr/local/bin:/usr/bin:/bin" HOME="$work" LANG=C.UTF-8 \
-    CMAKE_PREFIX_PATH="$prefix" \
+    CMAKE_PREFIX_PATH="$prefix" GONOGO_SEED="${GONOGO_SEED-}" \
     C_INCLUDE_PATH="$prefix/include" CPLUS_INCLUDE_PATH="$prefix/include" "$@"
 }
 

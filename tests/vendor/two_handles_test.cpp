@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "libraries.hpp"
-#include "oracle/subjects/library_file.hpp"
+#include "subjects/library_file.hpp"
 
 namespace gonogo::oracle {
 namespace {

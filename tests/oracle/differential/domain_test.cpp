@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generate/generator.hpp"
+#include "fuzz/generate/generator.hpp"
 
 namespace gonogo::oracle {
 namespace {

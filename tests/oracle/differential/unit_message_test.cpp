@@ -6,6 +6,7 @@
 
 #include "expanders/registry.hpp"
 #include "oracle/differential/differential.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::oracle {
 namespace {

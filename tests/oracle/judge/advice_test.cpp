@@ -227,7 +227,7 @@ TEST(Advice, IsNoCrash) {
   for (const RunEnd::Kind kind : {RunEnd::Kind::crash, RunEnd::Kind::timeout,
                                   RunEnd::Kind::protocol, RunEnd::Kind::out_of_memory}) {
     end.kind = kind;
-    const Verdict verdict = judge_outcome(profile, std::string_view("S-100\n"), JudgeTerms{},
+    const Verdict verdict = judge_outcome(profile, std::string_view("S-100\n"), Tolerances{},
                                           std::span<const Record>(), end)
                                 .verdict;
     EXPECT_EQ(decision(verdict.kind), Decision::no_go) << name(verdict.kind);

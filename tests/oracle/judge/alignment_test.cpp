@@ -41,7 +41,7 @@ TEST(Alignment, MotionsAreJoinedOverOneThatMovesNothing) {
   EXPECT_EQ(aligned(program, beyond, false), VerdictKind::fail_geometry);
 }
 
-// R3: a cut of no length between two pieces of a traverse leads nowhere, and several small
+// R3: a cut of no length between two pieces of a traverse is negligible, and several small
 // ones do not lead on.
 TEST(Alignment, AMotionBetweenPiecesMayLeadNowhere) {
   const std::string_view program = "G00 Z10\n";

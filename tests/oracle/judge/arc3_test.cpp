@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "oracle/judge/curve_follower.hpp"
+#include "oracle/motion/curve_follower.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -67,7 +67,7 @@ Motion arc(Plane plane, const Position& from, std::array<Number, 2> centre, int 
 // The answer to the first piece that departs, else to the last.
 MatchResult match(const Motion& reference, const std::vector<Motion>& pieces,
                   const char* chord = "0") {
-  JudgeTerms terms;
+  Tolerances terms;
   terms.chord = *Number::parse(chord);
   CurveFollower curve(reference, terms);
   MatchResult result;
@@ -154,7 +154,7 @@ TEST(Arc3, TheProgramsOwnPointsMayBeRoundedWhateverCircleTheyMake) {
   const Position to = xyz("0", "11.0000004", "3");
   const Motion want = arc3(from, via, to);
   const auto fits_within = [&](const Motion& subject, const char* tolerance) {
-    JudgeTerms terms;
+    Tolerances terms;
     terms.tolerance = *Number::parse(tolerance);
     return CurveFollower(want, terms).match(subject).departure == Departure::none;
   };
@@ -351,7 +351,7 @@ TEST(Arc3, GoesRoundWhereItsIntermediatePointIsElsewhere) {
   EXPECT_TRUE(goes_round(arc3(here, xyz("-0.0002", "0.0000001", "0"), near), tau));
 }
 
-// Beside the line by 0.0001 mm, the intermediate point beyond the end: what comes of it hangs on
+// Beside the line by 0.0001 mm, the intermediate point beyond the end: what comes of it depends on
 // the tolerance of 0.001 mm where a coordinate is no short decimal, and has to be rounded.
 // R9.
 TEST(Arc3, PointsInLineHangOnRoundingWhereThereIsAny) {

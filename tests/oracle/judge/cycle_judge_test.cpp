@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Traces of canned cycles and threads written by hand: M functions among motions (R5),
-// leads, alarms that are found late, and how many assignments of readings there are.
+// leads, alarms that are found late, and how many combinations of readings there are.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(CycleJudge, PiecesRoundAnMFunctionAreWhole) {
   trace.insert(trace.begin() + 7, "R2,5,0");
   trace.insert(trace.begin() + 4, "F2,5,0");
   EXPECT_TRUE(is_go_of_cycle(judged_words(kG86, trace)));
-  trace.insert(trace.begin() + 8, "R2,5,-4");  // leads nowhere, before M5 and behind it
+  trace.insert(trace.begin() + 8, "R2,5,-4");  // negligible, before M5 and behind it
   EXPECT_TRUE(is_go_of_cycle(judged_words(kG86, trace)));
   // M5 between two pieces of the cut.
   WordTrace early = kG86Trace;

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "judging.hpp"
-#include "oracle/judge/step_text.hpp"
+#include "oracle/steps/step_text.hpp"
 #include "reference/catalog/clause.hpp"
 
 namespace gonogo::oracle {

@@ -4,7 +4,7 @@
 // if Curve, which has the rules, says of every such motion that it is the whole of it.
 #include <gtest/gtest.h>
 
-#include "oracle/judge/curve.hpp"
+#include "oracle/motion/curve.hpp"
 #include "tests/trials.hpp"
 
 namespace gonogo::oracle {
@@ -38,7 +38,7 @@ Motion any_motion(Trials& trials) {
 
 TEST(EqualMotion, IsTheWholeOfTheReferencesByTheRulesOfTheMatch) {
   Trials trials(20'000);
-  JudgeTerms terms;
+  Tolerances terms;
   terms.tolerance = Number::millionths(1000);
   for (long i = 0; i < trials.count; ++i) {
     const Motion motion = any_motion(trials);

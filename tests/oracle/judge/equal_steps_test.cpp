@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "oracle/judge/places.hpp"
-#include "oracle/judge/plain_line.hpp"
+#include "oracle/motion/places.hpp"
+#include "oracle/motion/plain_line.hpp"
 #include "oracle/records/trace_reader.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
 
@@ -26,7 +26,7 @@ TEST(EqualSteps, SayWhatTheWholeWaySays) {
     const GeneratedOutcome of =
         generated_outcome(trials.one_of(generate::generators()), {}, trials);
     const Profile& profile = of.program.profile;
-    JudgeTerms terms = of.terms;
+    Tolerances terms = of.terms;
     terms.skip_equal = false;
     const std::string whole = text_of(judged(profile, of.program.text, of.outcome, terms));
     terms.skip_equal = true;
@@ -58,10 +58,10 @@ Motion short_motion(const Position& from, Trials& trials) {
   return motion_from(from, record, 0);
 }
 
-// One that is dropped is not visible, whatever a subject's doubles are off.
+// One that is dropped is not visible, however far a subject's doubles are off.
 TEST(PlainMotion, IsNotVisibleWhereItIsDropped) {
   Trials trials(200'000);
-  JudgeTerms terms;
+  Tolerances terms;
   terms.binary64 = true;
   long dropped = 0;
   for (long i = 0; i < trials.count; ++i) {
@@ -87,7 +87,7 @@ TEST(PlainMotion, IsVisibleWhereItIsLonger) {
   record.to[Axis::z] = Number::millionths(1'001);
   PlainMotion plain;
   ASSERT_TRUE(plain.take(record, {}));
-  EXPECT_TRUE(plain.is_visible(JudgeTerms()));
+  EXPECT_TRUE(plain.is_visible(Tolerances()));
 }
 
 Record any_record(Trials& trials) {

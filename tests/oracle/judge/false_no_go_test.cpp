@@ -71,6 +71,52 @@ TEST(FalseNoGo, AWithdrawalTooSmallToSeeMayBeLeftOut) {
               {.resolution = "0.001", .dialect = "hnc21t"});
 }
 
+// The tolerance is 0.001. A piece comes within it of the end, and the next one ends beyond the end
+// by no more: together they are a motion that ends there.
+TEST(FalseNoGo, ThePiecesOfAMotionMayEndBeyondWhereItIsDue) {
+  const auto cut = [](int block, const char* to) {
+    return fmt::format(R"({{"k":"feed","b":{},"to":{{{}}},"f":"50"}})"
+                       "\n",
+                       block, to);
+  };
+  // HNC-G74-02: down by 6 to 4, up to 4.0015, and on to -2.
+  const auto withdrawn = [&](const std::string& up) {
+    return rapid(1, R"("x":"0","z":"10")") + cut(2, R"("z":"4")") + up + cut(2, R"("z":"-2")") +
+           rapid(2, R"("z":"10")");
+  };
+  constexpr std::string_view kPecks = "G00 X0 Z10\nG74 Z-2 R0.0015 Q6 F50\n";
+  const Judging hnc = {.resolution = "0.001", .dialect = "hnc21t"};
+  const std::string near = rapid(2, R"("z":"4.00075")");
+  decision_of(kPecks, withdrawn(near + rapid(2, R"("z":"4.002")")), hnc);
+  EXPECT_NE(decision(judge_trace(kPecks, withdrawn(near + rapid(2, R"("z":"4.003")")), hnc).kind),
+            Decision::go);
+  constexpr std::string_view kCorner = "G00 X0 Z10\nG01 X0 Z5 F50\nX10\n";
+  const std::string to_corner = rapid(1, R"("x":"0","z":"10")") + cut(2, R"("z":"5.0005")");
+  decision_of(kCorner, to_corner + cut(2, R"("z":"4.9992")") + cut(3, R"("x":"5")"), hnc);
+}
+
+// The infeed to Z4 of a level, and a circle at the tool's reach in steps of 4 (GSK-G110-08, -09).
+TEST(FalseNoGo, ThePiecesOfAnInfeedMayEndBeyondTheLevel) {
+  std::string trace = rapid(1, R"("x":"15","y":"14","z":"9")") + rapid(2, R"("x":"10","y":"10")") +
+                      rapid(2, R"("z":"6")");
+  for (const char* z : {"4.0005", "3.9992"}) {
+    trace += fmt::format(R"({{"k":"feed","b":2,"to":{{"z":"{}"}},"f":"200"}})"
+                         "\n",
+                         z);
+  }
+  for (const char* x : {"12", "14", "16", "17"}) {
+    trace += fmt::format(
+        R"({{"k":"feed","b":2,"to":{{"x":"{0}"}},"f":"200"}})"
+        "\n"
+        R"({{"k":"arc","b":2,"plane":"G17","c":{{"x":"10","y":"10"}},"rot":-1,"to":{{"x":"{0}","y":"10"}},"f":"200"}})"
+        "\n",
+        x);
+  }
+  trace += rapid(2, R"("z":"6")") + rapid(2, R"("x":"10","y":"10")") + rapid(2, R"("z":"9")");
+  decision_of("G17 G00 X30 Y14 Z9\nG110 X20 Y10 W-2 R-3 I10 L4 Q2 P0.5 D3 F200\n", trace,
+              {.resolution = "0.001", .dialect = "gsk988ta"});
+}
+
 // A helix of hardly a turn, whose end is rounded to where it starts: its record cannot say less
 // than a full turn.
 // J-PATH-06.

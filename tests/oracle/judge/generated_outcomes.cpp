@@ -5,6 +5,7 @@
 
 #include "expanders/registry.hpp"
 #include "oracle/records/trace_reader.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::oracle {
 
@@ -28,12 +29,12 @@ std::string text_of(const SessionVerdict& said) {
 }
 
 SessionVerdict judged(const reference::Profile& profile, const std::string& program,
-                      const Outcome& outcome, const JudgeTerms& terms) {
+                      const Outcome& outcome, const Tolerances& terms) {
   return judge_outcome(profile, program, terms, outcome.records, outcome.end);
 }
 
 SessionVerdict judged_by_lines(const reference::Profile& profile, const std::string& program,
-                               const Outcome& outcome, const JudgeTerms& terms,
+                               const Outcome& outcome, const Tolerances& terms,
                                std::size_t& known) {
   JudgeSession session(profile, program, terms);
   TraceReader reader;
@@ -111,7 +112,7 @@ void run_and_note_terms(const gonogo_subject_v1& table, GeneratedOutcome& made) 
   const reference::Profile& profile = made.program.profile;
   made.outcome = run(table, profile, made.program.text);
   made.terms =
-      make_terms(make_interface_subject(table)->info(), profile, std::nullopt, std::nullopt);
+      make_tolerances(make_interface_subject(table)->info(), profile, std::nullopt, std::nullopt);
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "generate/generator.hpp"
+#include "fuzz/generate/generator.hpp"
 #include "oracle/judge/judge_session.hpp"
-#include "oracle/subject.hpp"
+#include "oracle/records/subject_outcome.hpp"
 #include "tests/trials.hpp"
 
 namespace gonogo::oracle {
@@ -21,7 +21,7 @@ struct Outcome {
 struct GeneratedOutcome {
   generate::GeneratedProgram program;
   Outcome outcome;
-  JudgeTerms terms;
+  Tolerances terms;
 };
 
 // What an expander does rightly with a program of the settings.
@@ -40,10 +40,10 @@ std::string text_of(const SessionVerdict& said);
 
 // Judged record by record.
 SessionVerdict judged(const reference::Profile& profile, const std::string& program,
-                      const Outcome& outcome, const JudgeTerms& terms);
+                      const Outcome& outcome, const Tolerances& terms);
 
 // Judged line by line; `known` counts those that were not read.
 SessionVerdict judged_by_lines(const reference::Profile& profile, const std::string& program,
-                               const Outcome& outcome, const JudgeTerms& terms, std::size_t& known);
+                               const Outcome& outcome, const Tolerances& terms, std::size_t& known);
 
 }  // namespace gonogo::oracle

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "judging.hpp"
-#include "oracle/judge/open_start.hpp"
+#include "oracle/motion/open_start.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which of the verdicts under several assignments of readings counts.
+// Which of the verdicts under several combinations of readings counts.
 #include <gtest/gtest.h>
 
 #include "oracle/judge/judge_session.hpp"

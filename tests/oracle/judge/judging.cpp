@@ -42,7 +42,7 @@ Verdict judge_trace(std::string_view program, std::string_view trace, const Judg
   if (!judging.chord.empty()) chord = Number::parse(judging.chord);
   std::optional<Number> tolerance;
   if (!judging.tolerance.empty()) tolerance = Number::parse(judging.tolerance);
-  JudgeTerms terms = make_terms(subject, profile, tolerance, chord);
+  Tolerances terms = make_tolerances(subject, profile, tolerance, chord);
   terms.strict = judging.strict;
   TraceReader reader;
   std::vector<reference::Record> records;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // R2, R3: the numbers of records beside their places, and the pieces of a thread.
-#include "oracle/judge/labels.hpp"
+#include "oracle/motion/labels.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -29,14 +29,14 @@ bool is_undecided(const auto& question) {
 // 31.25 / sqrt(629) = 1.2460190981701562...
 const Number kLead = number("31.25") / exact::sqrt(629);
 
-JudgeTerms terms_of(const char* increment) {
-  JudgeTerms terms;
+Tolerances terms_of(const char* increment) {
+  Tolerances terms;
   terms.increment = number(increment);
   return terms;
 }
 
 TEST(Labels, ADecimalOfWhichNothingIsDeclaredIsRoundedToItsOwnLastPlace) {
-  const JudgeTerms terms = terms_of("0.0001");
+  const Tolerances terms = terms_of("0.0001");
   for (const char* got : {"1.24601909817", "1.246019098170156", "1.2460191", "1.24602", "1.246"}) {
     EXPECT_TRUE(stands_for(number(got), kLead, std::nullopt, terms)) << got;
   }
@@ -50,7 +50,7 @@ TEST(Labels, ADecimalOfWhichNothingIsDeclaredIsRoundedToItsOwnLastPlace) {
 }
 
 TEST(Labels, ADecimalThatCanBeWrittenHasToBe) {
-  const JudgeTerms terms = terms_of("0.001");
+  const Tolerances terms = terms_of("0.001");
   EXPECT_TRUE(stands_for(100, 100, std::nullopt, terms));
   for (const char* got : {"100.0004", "99.9999", "100.00001", "100.000000000001"}) {
     EXPECT_FALSE(stands_for(number(got), 100, std::nullopt, terms)) << got;
@@ -61,7 +61,7 @@ TEST(Labels, ADecimalThatCanBeWrittenHasToBe) {
 }
 
 TEST(Labels, WhatIsDeclaredCountsInsteadOfTheLastPlace) {
-  const JudgeTerms terms = terms_of("0.0001");
+  const Tolerances terms = terms_of("0.0001");
   EXPECT_TRUE(stands_for(number("1.24603"), kLead, number("0.0001"), terms));
   EXPECT_FALSE(stands_for(number("1.2461"), kLead, number("0.0001"), terms));
   EXPECT_FALSE(stands_for(number("1.24603"), kLead, number("0.00001"), terms));
@@ -69,7 +69,7 @@ TEST(Labels, WhatIsDeclaredCountsInsteadOfTheLastPlace) {
 
 // The last place of 1.25 is 2^-52, and 2^-51 of it two and a half of these.
 TEST(Labels, ADoubleMayBeOffByTwoUnitsInTheLastPlace) {
-  JudgeTerms terms = terms_of("0.0001");
+  Tolerances terms = terms_of("0.0001");
   const Number unit = Number::binary(1, -52);
   EXPECT_TRUE(stands_for(number("1.25") + unit, number("1.25"), std::nullopt, terms));
   terms.binary64 = true;
@@ -82,7 +82,7 @@ TEST(Labels, ADoubleMayBeOffByTwoUnitsInTheLastPlace) {
 
 TEST(Labels, AnEnclosureThatHoldsTheNumberIsTheNumber) {
   for (const bool exact : {false, true}) {
-    JudgeTerms terms = terms_of("0.001");
+    Tolerances terms = terms_of("0.001");
     terms.exact = exact;
     EXPECT_TRUE(stands_for(between("99.9999999999999998", "100.0000000000000002"), 100,
                            std::nullopt, terms));
@@ -95,7 +95,7 @@ TEST(Labels, AnEnclosureThatHoldsTheNumberIsTheNumber) {
 }
 
 TEST(Labels, AnEnclosureIsUndecidedOnlyWhereItsWidthDecides) {
-  const JudgeTerms terms = terms_of("0.001");
+  const Tolerances terms = terms_of("0.001");
   const Number step = number("0.001");
   const auto told = [&](const char* low, const char* high) {
     return stands_for(between(low, high), 100, step, terms);
@@ -106,7 +106,7 @@ TEST(Labels, AnEnclosureIsUndecidedOnlyWhereItsWidthDecides) {
 }
 
 TEST(Labels, StartAnglesAWholeTurnApartAreTheSame) {
-  const JudgeTerms terms = terms_of("0.001");
+  const Tolerances terms = terms_of("0.001");
   const auto agree_on = [&](const Number& want, const Number& got) {
     Record one, other;
     one.start = want;

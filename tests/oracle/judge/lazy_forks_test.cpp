@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "oracle/judge/different_assignments.hpp"
+#include "oracle/steps/different_assignments.hpp"
 #include "own_outcome.hpp"
 
 namespace gonogo::oracle {
@@ -65,7 +65,7 @@ TEST(LazyForks, EachAlternativeOfAnOpenReadingIsRight) {
     const OwnOutcome own = own_outcome(one.program, follows);
     const reference::Profile open = all_open(one.dialect);
     for (const Forking forking : {Forking::when_different, Forking::when_asked}) {
-      const JudgeTerms terms = exact_terms(open);
+      const Tolerances terms = exact_terms(open);
       JudgeSession session(open, one.program, terms, forking);
       for (const Record& record : own.records) session.record(record);
       const SessionVerdict said = session.finish(own.end);

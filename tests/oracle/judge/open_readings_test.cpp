@@ -37,7 +37,7 @@ void fix_lengths(const ProgramJudge& judge, reference::ReadingChoice& choice,
 
 // By the definition.
 SessionVerdict judged_at_once(const Profile& profile, const std::string& program,
-                              const Outcome& outcome, const JudgeTerms& terms) {
+                              const Outcome& outcome, const Tolerances& terms) {
   const Assignments assignments = assignments_of(profile, program);
   SessionVerdict result;
   std::set<ReadingKey> open(assignments.open.begin(), assignments.open.end());
@@ -62,7 +62,7 @@ SessionVerdict judged_at_once(const Profile& profile, const std::string& program
 // Whether the reference asks for none of the open readings where it goes on from where the
 // subject's open path ends, which is not where its own would end.
 bool are_passed_by(const std::vector<ReadingKey>& open, const Profile& profile,
-                   const std::string& program, const Outcome& outcome, const JudgeTerms& terms) {
+                   const std::string& program, const Outcome& outcome, const Tolerances& terms) {
   ProgramJudge judge(profile, program, terms);
   told(judge, outcome);
   return std::ranges::none_of(open, [&](ReadingKey key) { return judge.readings().touched(key); });
@@ -153,7 +153,7 @@ TEST(OpenReadings, AreSettledBehindAnyNumberOfRecords) {
     const oracle::ReferenceRun run = oracle::run_reference(assigned, program, 20'000);
     const Outcome outcome{run.records, run.end};
     for (const bool skip_equal : {true, false}) {
-      JudgeTerms terms;
+      Tolerances terms;
       terms.compare_blocks = true;
       terms.skip_equal = skip_equal;
       const SessionVerdict said = judged(open, program, outcome, terms);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Other records for the same motion: in pieces, joined, rounded, with motions that lead nowhere.
+// Other records for the same motion: in pieces, joined, rounded, with negligible motions.
 #pragma once
 
 #include "tests/oracle/judge/generated_outcomes.hpp"
@@ -9,7 +9,7 @@ namespace gonogo::oracle {
 
 // Lines, traverses and threads at fractions of them, arcs and helices at angles: their points are
 // written with six decimals. No piece stays within `least` of where it starts;
-// arcs stay whole whose ends nearly agree, but for whole circles where `least` is 0.
+// arcs stay whole whose ends nearly agree, except whole circles where `least` is 0.
 Outcome split(const Outcome& outcome, const Position& start, const Number& least, Trials& trials);
 // Consecutive motions that go on in the same way become one.
 Outcome joined(const Outcome& outcome, const Position& start);

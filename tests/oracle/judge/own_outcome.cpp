@@ -32,17 +32,17 @@ OwnOutcome own_outcome(std::string_view program, const reference::Profile& profi
   return outcome;
 }
 
-JudgeTerms exact_terms(const reference::Profile& profile, std::string_view resolution) {
+Tolerances exact_terms(const reference::Profile& profile, std::string_view resolution) {
   SubjectInfo subject;
   subject.features = {"blocks", "m"};
   if (!resolution.empty()) subject.resolution = Number::parse(resolution);
-  return make_terms(subject, profile, std::nullopt, std::nullopt);
+  return make_tolerances(subject, profile, std::nullopt, std::nullopt);
 }
 
 Verdict judge_own(std::string_view program, const reference::Profile& profile,
                   std::string_view resolution) {
   const OwnOutcome own = own_outcome(program, profile);
-  const JudgeTerms terms = exact_terms(profile, resolution);
+  const Tolerances terms = exact_terms(profile, resolution);
   return judge_outcome(profile, program, terms, own.records, own.end).verdict;
 }
 

@@ -26,8 +26,8 @@ reference::Profile profile_of(std::string_view dialect, ReadingValues readings =
 // Throws where the program holds what the gauge does not read.
 OwnOutcome own_outcome(std::string_view program, const reference::Profile& profile);
 
-// The terms of an exact subject with line numbers. A resolution (mm) is declared; empty: none.
-JudgeTerms exact_terms(const reference::Profile& profile, std::string_view resolution = {});
+// The tolerances of an exact subject with line numbers. A resolution (mm) is declared; empty: none.
+Tolerances exact_terms(const reference::Profile& profile, std::string_view resolution = {});
 
 Verdict judge_own(std::string_view program, const reference::Profile& profile,
                   std::string_view resolution = {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The reference's own outcome, judged as a subject's, is a pass-exact (of an open path,
-// pass-properties): from a micrometre to a kilometre, whatever form an arc has.
+// pass-properties): from a micrometre to a kilometre, for any form of arc.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -109,8 +109,8 @@ TEST(OwnOutcome, APocketAsDeepAsTheToleranceIsLeftBeforeTheNextBlock) {
       VerdictKind::pass_properties);
 }
 
-// A slot that the tool fills but for a micrometre: at each level four quarters of a circle of that
-// radius, each too small to see, between infeeds along one line. Found by generated programs.
+// A slot that the tool fills except for a micrometre: at each level four quarters of a circle of
+// that radius, each too small to see, between infeeds along one line. Found by generated programs.
 // R1.
 TEST(OwnOutcome, CirclesAsSmallAsTheToleranceMayStandBetweenInfeeds) {
   reference::Profile profile =

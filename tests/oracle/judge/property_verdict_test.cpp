@@ -57,7 +57,7 @@ TEST(PropertyVerdict, AThreadWhoseCentreIsOffIsNoExactPath) {
   constexpr std::string_view kThread =
       "G0 X70 Z70 Y20\nG18\nG114 X0 Z0 V-20 R-5 I5 J2 K30 E30 P1 Q0.5 D3 F900\nG0 X70\n";
   const reference::Profile profile = profile_of("gsk988ta");
-  const JudgeTerms terms = exact_terms(profile);
+  const Tolerances terms = exact_terms(profile);
   OwnOutcome own = own_outcome(kThread, profile);
   const Verdict shown = judge_outcome(profile, kThread, terms, own.records, own.end).verdict;
   EXPECT_EQ(shown.kind, VerdictKind::pass_properties) << shown.message;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/judge/queue.hpp"
+#include "oracle/steps/queue.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -100,7 +100,7 @@ TEST(RecordBudget, TenTurnsInPiecesAreNoMoreThanTen) {
   }
 }
 
-// No time hangs on how many turns a record makes.
+// No time depends on how many turns a record makes.
 TEST(RecordBudget, TurnsCountWhereOneRecordMakesThem) {
   EXPECT_EQ(decision(judge_trace(kPocket, last_ring_again(0, 1, -9)).kind), Decision::go);
   for (const int rot : {-11, -1'000'000'000, -2'147'483'647}) {

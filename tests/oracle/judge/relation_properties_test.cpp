@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What holds of the acceptance relation whatever the program and the outcome are: docs/judging.md,
+// What holds of the acceptance relation for any program and outcome: docs/judging.md,
 // "Properties of the relation". The programs are of every dialect, with right outcomes, those
 // of faulty expanders, and spoilt ones.
 #include <gtest/gtest.h>
@@ -39,6 +39,12 @@ class CycleSizes {
   bool is_tiny(const reference::ThreadMilling& thread) const {
     return is_small(thread.start_radius) || is_small(thread.radius_of_pass(1)) ||
            is_small(thread.runout_length) || is_small(thread.start_radius - thread.runout_length);
+  }
+  bool is_tiny(const reference::PocketMilling& pocket) const {
+    const Number twice_tool = pocket.tool_radius * 2;
+    return is_small(pocket.infeed) || is_small(pocket.top() - pocket.floor) ||
+           is_small(pocket.length - twice_tool) || is_small(pocket.width - twice_tool) ||
+           is_small(pocket.allowance);
   }
   template <class Item>
   bool is_tiny(const Item& /*item*/) const {
@@ -80,7 +86,7 @@ std::string text_of(const Tried& tried, const Outcome& changed) {
   return text;
 }
 
-Verdict judge(const Tried& tried, const Outcome& outcome, const JudgeTerms& terms) {
+Verdict judge(const Tried& tried, const Outcome& outcome, const Tolerances& terms) {
   return judged(tried.of.program.profile, tried.of.program.text, outcome, terms).verdict;
 }
 
@@ -111,7 +117,8 @@ Tried drawn(Of of, Trials& trials) {
   return tried;
 }
 
-// The decision of the changed outcome is that of the first; but for gaps, where nothing is claimed.
+// The decision of the changed outcome is that of the first; except for gaps, where nothing is
+// claimed.
 void expect_same(const Tried& tried, const Outcome& changed) {
   const Verdict verdict = judge(tried, changed, tried.of.terms);
   const Decision before = decision(tried.kind);
@@ -148,7 +155,7 @@ TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
     } catch (const std::runtime_error&) {
       RC_DISCARD("not covered");
     }
-    const JudgeTerms terms = exact_terms(of.program.profile);
+    const Tolerances terms = exact_terms(of.program.profile);
     const Verdict verdict =
         judge_outcome(of.program.profile, of.program.text, terms, own.records, own.end).verdict;
     if (decision(verdict.kind) != Decision::no_go) return;
@@ -197,7 +204,7 @@ TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
       RC_DISCARD("not covered");
     }
     const reference::Profile& profile = of.program.profile;
-    const JudgeTerms terms = exact_terms(profile, "0.001");
+    const Tolerances terms = exact_terms(profile, "0.001");
     RC_PRE(!is_tiny(of.program, terms.tolerance));
     const Outcome exact{own.records, own.end};
     RC_PRE(terms.resolution == terms.tolerance);
@@ -225,7 +232,7 @@ TEST(RelationProperties, ALevelWhoseArcsAreCorrectlyRoundedIsCleared) {
       "G00 X0 Y88.1416 Z75.4187\nG00 X16.9999 W-39.0001\nG00 Z28.0001\n"
       "G111 W15.6028 U-42.0001 V12.0003 I15.1791 L5.0177 Q3.0001 D3.8892 P0.5 F468\n";
   const OwnOutcome own = own_outcome(program, profile);
-  const JudgeTerms terms = exact_terms(profile, "0.001");
+  const Tolerances terms = exact_terms(profile, "0.001");
   const Outcome changed =
       rounded({own.records, own.end}, profile.initial.at, Number::millionths(1'000));
   const Verdict verdict = judged(profile, program, changed, terms).verdict;
@@ -238,7 +245,7 @@ TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
     Trials trials = drawn_trials();
     const Tried tried = drawn(Of::any, trials);
     RC_PRE(decision(tried.kind) == Decision::go);
-    JudgeTerms wider = tried.of.terms;
+    Tolerances wider = tried.of.terms;
     wider.tolerance = wider.granted = wider.tolerance * trials.one_of(std::to_array({2, 3, 10}));
     RC_PRE(!is_tiny(tried.of.program, wider.tolerance));
     const Verdict verdict = judge(tried, tried.of.outcome, wider);

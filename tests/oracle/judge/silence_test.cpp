@@ -262,7 +262,7 @@ TEST_P(RunsOnBySilence, WhichExcusesNoAlarmInAnotherBlock) {
   EXPECT_EQ(decision(kind_said(one, alarm_said(one.block, right))), Decision::no_go);  // too early
 }
 
-// However far it came, and whatever line it names.
+// However far it came, and for any line that it names.
 TEST_P(RunsOnBySilence, WhichExcusesNoAlarmThatComesAfterItsMotion) {
   const Silent& one = GetParam();
   const std::string right = alarm_said(one.block, reference::name(one.answers.front()));
@@ -311,7 +311,7 @@ std::string silent_name(const testing::TestParamInfo<Silent>& one) {
 INSTANTIATE_TEST_SUITE_P(Programs, RunsOnBySilence, testing::ValuesIn(running_on()), silent_name);
 INSTANTIATE_TEST_SUITE_P(Programs, AlarmsBySilence, testing::ValuesIn(alarming()), silent_name);
 
-// R7: what departs before a silent alarm goes first.
+// R7: what departs before an unstated alarm goes first.
 TEST_P(AlarmsBySilence, WhichExcusesNothingBeforeIt) {
   const Silent& one = GetParam();
   const std::string dwell =
@@ -400,7 +400,7 @@ TEST(Silence, ExcusesTheSameAtLoad) {
     end.alarm.block = block;
     end.alarm.alarm_class = alarm_class;
     return judge_outcome(std::get<reference::Profile>(profile),
-                         std::string_view("G0 X10\nG0 X20\nG1 X30 F100\nG0 X0\n"), JudgeTerms{},
+                         std::string_view("G0 X10\nG0 X20\nG1 X30 F100\nG0 X0\n"), Tolerances{},
                          std::span<const Record>(), end)
         .verdict.kind;
   };

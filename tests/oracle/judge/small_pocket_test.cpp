@@ -193,7 +193,7 @@ TEST(SmallPockets, AFloorTheToleranceBelowTheLastStripIsGo) {
   }
 }
 
-// The same but for the cuts in the plane at one depth.
+// The same except for the cuts in the plane at one depth.
 std::vector<Record> without_cuts_at(const std::vector<Record>& records, const Number& depth) {
   std::vector<Record> kept;
   Number at = 100;

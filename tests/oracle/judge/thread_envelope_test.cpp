@@ -173,6 +173,21 @@ TEST(ThreadEnvelope, AnEntryThroughTheWallOfABoreIsNoGo) {
   everywhere(false, far, Decision::no_go, "wall of the bore");
 }
 
+// R3. In a bore nothing stands in the way of a straight cut from the axis. A turn that keeps to its
+// centre by less than the tolerance of 0.001 is no entry; one of twice that is.
+TEST(ThreadEnvelope, AnEntryThatHardlyTurnsIsNone) {
+  const auto turn_of = [](double radius) {
+    return [radius](Mill m) { m.arc(radius, 0, 1, 0, 0, 15); };
+  };
+  Pass pass;
+  for (const double radius : {0.0, 0.0004, 0.001}) {
+    pass.entry = turn_of(radius);
+    everywhere(false, pass, Decision::no_go, "entry arc is missing");
+  }
+  pass.entry = turn_of(0.002);
+  everywhere(false, pass, Decision::go);
+}
+
 // Turns are counted, not records.
 TEST(ThreadEnvelope, TurnsOfAnEntryAreCounted) {
   for (const bool external : {true, false}) {

@@ -154,7 +154,7 @@ TEST(ThreadJudge, ThePathThatExpandShowsIsGo) {
       }
       SubjectInfo subject;
       subject.features = {"blocks"};
-      const JudgeTerms terms = make_terms(subject, profile, {}, {});
+      const Tolerances terms = make_tolerances(subject, profile, {}, {});
       const Verdict verdict = judge_outcome(profile, program, terms, records, RunEnd{}).verdict;
       EXPECT_EQ(decision(verdict.kind), Decision::go)
           << block << reading << verdict.message << "\nwant " << verdict.want << "\ngot "

@@ -12,7 +12,7 @@
 
 namespace gonogo::mutations {
 
-// A trace in change, with the terms and the profile under which it will be judged.
+// A trace in change, with the tolerances and the profile under which it will be judged.
 struct Attempt {
   Attempt(const Specimen& of, Trials& trials)
       : specimen(of), chance(trials), trace(of.right), terms(of.terms), profile(of.profile) {}
@@ -26,7 +26,7 @@ struct Attempt {
   const Specimen& specimen;
   Trials& chance;
   Trace trace;
-  oracle::JudgeTerms terms;
+  oracle::Tolerances terms;
   reference::Profile profile;
 };
 

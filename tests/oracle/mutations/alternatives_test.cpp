@@ -133,7 +133,8 @@ class Alternatives {
     if (is_untold_thread(name, attempt.specimen, verdict)) return;
     if (name == "as-enclosures" || what.find("as-enclosures") != std::string::npos) {
       ++enclosed_;
-      // An open path asks for more than its ends, and what it asks may hang on an enclosure's width.
+      // An open path asks for more than its ends, and what it asks may depend on an enclosure's
+      // width.
       if (verdict.gap == oracle::GapReason::comparison) {
         ++enclosed_gaps_;
         return;

@@ -29,7 +29,7 @@ bool is_told_by_its_motions(const Specimen& specimen) {
 }
 
 Verdict judge_without_blocks(const Specimen& specimen, Trace trace) {
-  oracle::JudgeTerms terms = specimen.terms;
+  oracle::Tolerances terms = specimen.terms;
   terms.compare_blocks = false;
   for (Record& record : trace.records) record.block = 0;
   trace.end.alarm.block = 0;

@@ -17,8 +17,8 @@ namespace gonogo::mutations {
 struct Margin {
   double place = 0;     // of an end, and of a centre
   double arc = 0;       // of places along an arc
-  double nil = 0;       // what may be passed over as no motion
-  bool strict = false;  // what is too small to be told, or of another kind, does not fit
+  double nil = 0;       // what may be omitted as negligible
+  bool strict = false;  // what is too small to see, or of another kind, does not fit
 };
 
 // A part of the path that the manual leaves open, with conditions that each right path meets.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A case of the corpus under one assignment of its readings, with the trace that the reference
+// A case of the corpus under one combination of its readings, with the trace that the reference
 // shows of it and the path that follows from it.
 #pragma once
 
@@ -30,7 +30,7 @@ struct Specimen {
   std::string group;  // dialect and cycle
   std::string program;
   reference::Profile profile;
-  oracle::JudgeTerms terms;
+  oracle::Tolerances terms;
   Trace right;
   std::vector<reference::Position> before;        // where each record starts, every axis
   std::vector<reference::Position> after;         // and ends

@@ -120,12 +120,12 @@ bool breaks_its_block(const Standing& got, const Standing& right) {
   return is_cycle && !function.before_cut && got.before.strokes > 0 && got.behind.strokes > 0;
 }
 
-// Whether the program has O words that say which line is next: then the number of a line says
-// nothing of what comes before what.
+// Whether the program has O words, or M98 and M99, that say which line is next: then the number of
+// a line says nothing of what comes before what.
 bool lines_may_come_again(const Specimen& specimen) {
   if (specimen.profile.dialect != "rs274") return false;
   static const std::regex kChoice(
-      R"((^|\n)[ \t]*[oO][^(\n]*(sub|call|if|do|while|repeat|return|break|continue))");
+      R"((^|\n)[ \t]*[oO][^(\n]*(sub|call|if|do|while|repeat|return|break|continue)|[mM]9[89])");
   return std::regex_search(specimen.program, kChoice);
 }
 

@@ -8,7 +8,7 @@
 namespace gonogo::mutations {
 
 enum class Answer {
-  reject,  // it is wrong, whatever the manual leaves open
+  reject,  // it is wrong under each reading of the manual
   same,    // it is right by a named rule
   unsure,  // not counted
 };

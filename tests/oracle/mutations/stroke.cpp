@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "oracle/judge/approximate.hpp"
+#include "oracle/motion/approximate.hpp"
 
 namespace gonogo::mutations {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "operator.hpp"
-#include "oracle/judge/motion.hpp"
+#include "oracle/motion/motion.hpp"
 
 namespace gonogo::mutations {
 namespace {

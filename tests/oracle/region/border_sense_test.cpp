@@ -143,7 +143,7 @@ TEST(BorderSense, AnEndATinyWayFromTheStartIsReadAsItFits) {
   EXPECT_TRUE(is_go(job));
 }
 
-// E is 0.002 wide: whatever runs in it runs along both sides; at 0.003 it does not.
+// E is 0.002 wide: a path in it runs along both sides; at 0.003 it does not.
 TEST(BorderSense, ABorderNoWiderThanTheToleranceHasNoDirection) {
   for (const std::string_view width : {"10.002", "10.003"}) {
     Pocket job = pocket("60", width, "5", "5", "0");

@@ -9,7 +9,7 @@ namespace gonogo::oracle::region {
 namespace {
 
 TEST(RegionFrame, ARationalAngleIsExact) {
-  const Frame frame = make_frame({3, mm("0.5")}, mm("0.6"), mm("0.8"));
+  const PocketFrame frame = make_frame({3, mm("0.5")}, mm("0.6"), mm("0.8"));
   EXPECT_EQ(frame.turn, Number());
   EXPECT_EQ(frame.shift, Number());
   EXPECT_EQ(slack_of(frame, {22, 12, 8}), Number());
@@ -23,7 +23,7 @@ TEST(RegionFrame, ARationalAngleIsExact) {
 }
 
 TEST(RegionFrame, TheMotionsCentreIsTurnedToo) {
-  const Frame frame = make_frame({}, 0, 1);
+  const PocketFrame frame = make_frame({}, 0, 1);
   LevelMotion motion;
   motion.is_arc = true;
   motion.from = {1, 0};
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(RegionFrame, AnyAngle,
 
 TEST_P(AnyAngle, TheRotationIsRationalAndNearTheTrueOne) {
   const auto [cos, sin] = exact::cos_sin_degrees(GetParam());
-  const Frame frame = make_frame({}, cos, sin);
+  const PocketFrame frame = make_frame({}, cos, sin);
   ASSERT_TRUE(frame.cos.is_rational() && frame.sin.is_rational());
   EXPECT_EQ(frame.cos * frame.cos + frame.sin * frame.sin, Number(1));
   // The bound holds for the two unit vectors, and is well below a nanometre over a metre.
@@ -59,7 +59,7 @@ TEST_P(AnyAngle, APointComesNoFartherFromItsTruePlaceThanTheSlack) {
   const auto [cos, sin] = exact::cos_sin_degrees(GetParam());
   // The centre (40, 30) of a pocket in a frame that is turned about the origin.
   const PlanePoint centre{Number(40) * cos - Number(30) * sin, Number(40) * sin + Number(30) * cos};
-  const Frame frame = make_frame(centre, cos, sin);
+  const PocketFrame frame = make_frame(centre, cos, sin);
   const PlanePoint base{mm("12.345"), mm("67.891")};
   const PlanePoint got = into(frame, base);
   const Number p = cos * base.p + sin * base.q - Number(40) - got.p;
@@ -76,7 +76,7 @@ TEST(RegionFrame, TwoNumbersOfNoAngleAreRefused) {
 
 // 22 and 12 and twice 7.25, times the turn.
 TEST(RegionFrame, TheSlackOfALevelCoversTheWholeArea) {
-  Frame frame;
+  PocketFrame frame;
   frame.turn = mm("1e-12");
   frame.shift = mm("1e-15");
   EXPECT_EQ(slack_of(frame, {22, 12, mm("7.25")}), mm("48.501e-12"));

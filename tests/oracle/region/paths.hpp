@@ -39,7 +39,7 @@ Job rounded(Job job);
 
 LevelVerdict judge(const Job& job);
 
-// What is wrong with a NO-GO, worked out anew from the motions; empty when the witness holds.
+// What is wrong with a NO-GO, derived again from the motions; empty when the witness holds.
 std::string flaw_of_finding(const Job& job, const Finding& finding);
 // A place that a GO leaves uncovered by more than 1e-6, sampled densely in doubles; empty: none.
 std::string flaw_of_go(const Job& job);

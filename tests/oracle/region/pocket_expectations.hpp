@@ -16,7 +16,7 @@ bool must_be_cleared(const RectangularLevel& level, const PlanePoint& point);
 // How far the point is from the motions and the plunge point. REQUIRES: all arcs are round.
 Number exact_distance(const Pocket& pocket, const PlanePoint& point);
 
-// What is wrong with a NO-GO, worked out anew from the motions; empty when the witness holds.
+// What is wrong with a NO-GO, derived again from the motions; empty when the witness holds.
 std::string flaw_of_finding(const Pocket& pocket, const Finding& finding);
 // A place that a GO leaves uncovered by more than 1e-6, sampled densely in doubles; empty: none.
 std::string flaw_of_go(const Pocket& pocket);

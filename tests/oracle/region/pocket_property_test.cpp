@@ -127,7 +127,7 @@ RC_GTEST_PROP(PocketRegionProperty, EveryPocketClearedIsGo, ()) {
 RC_GTEST_PROP(PocketRegionProperty, TurnedAndRoundedIsGo, ()) {
   Pocket job = cleared_somehow();
   const auto [cos, sin] = exact::cos_sin_degrees(tenths(*rc::gen::inRange(-1'800, 1'801)));
-  const Frame frame = make_frame({mm("12.3"), Number(100) / Number(3)}, cos, sin);
+  const PocketFrame frame = make_frame({mm("12.3"), Number(100) / Number(3)}, cos, sin);
   const auto rounded = [&frame](const PlanePoint& point) {
     const PlanePoint base = out_of(frame, point);
     const auto micron = [](const Number& value) {

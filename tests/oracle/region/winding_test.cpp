@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-PKT-06: a level goes round the middle of its pocket as commanded, whatever its pieces are. I16
+// J-PKT-06: a level goes round the middle of its pocket as commanded, in any pieces. I16
 // L3 D4 clockwise: E has radius 12, rings at 3, 6, 9, 12, tolerance 0.001.
 #include <cmath>
 #include <numbers>

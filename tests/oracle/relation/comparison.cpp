@@ -33,7 +33,7 @@ std::string_view word(VerdictKind kind) {
 // as tau; where it is wider, with twice tau.
 bool is_at_limit(const Task& task, const Trace& trace, const Answer& answer,
                  const oracle::Verdict& verdict) {
-  Terms terms = terms_of(task.terms, task.profile);
+  Tolerances terms = terms_of(task.terms, task.profile);
   const bool passes = decision(answer.kind) == oracle::Decision::go;
   terms.tolerance = passes ? terms.tolerance * 8 / 17 : terms.tolerance * 2;
   const Answer other = decide(task.profile, task.program, terms, trace.outcome());
@@ -119,11 +119,11 @@ long Comparison::differences() const {
   return sum;
 }
 
-oracle::JudgeTerms terms_for(const reference::Profile& profile, bool blocks, bool m) {
+oracle::Tolerances terms_for(const reference::Profile& profile, bool blocks, bool m) {
   oracle::SubjectInfo subject;
   if (blocks) subject.features.insert("blocks");
   if (m) subject.features.insert("m");
-  return make_terms(subject, profile, std::nullopt, std::nullopt);
+  return make_tolerances(subject, profile, std::nullopt, std::nullopt);
 }
 
 }  // namespace gonogo::relation

@@ -11,12 +11,12 @@
 
 namespace gonogo::relation {
 
-// A program and the terms on which a trace of it is judged.
+// A program and the tolerances with which a trace of it is judged.
 struct Task {
   std::string_view id;
   std::string_view program;
   const reference::Profile& profile;
-  const oracle::JudgeTerms& terms;
+  const oracle::Tolerances& terms;
 };
 
 class Comparison {
@@ -42,6 +42,6 @@ class Comparison {
 };
 
 // A subject that declares lines or M functions, or neither.
-oracle::JudgeTerms terms_for(const reference::Profile& profile, bool blocks, bool m);
+oracle::Tolerances terms_for(const reference::Profile& profile, bool blocks, bool m);
 
 }  // namespace gonogo::relation

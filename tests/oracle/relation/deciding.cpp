@@ -40,8 +40,8 @@ std::string text_of(const Trace& trace) {
   return text;
 }
 
-Terms terms_of(const oracle::JudgeTerms& terms, const reference::Profile& profile) {
-  Terms same;
+Tolerances terms_of(const oracle::Tolerances& terms, const reference::Profile& profile) {
+  Tolerances same;
   same.tolerance = terms.tolerance;
   same.increment = profile.resolution();
   same.chord = terms.chord;
@@ -84,7 +84,7 @@ Answer decide(std::string_view program, std::string_view trace, const Declared& 
   oracle::Grants grants;
   grants.chord = number_of(declared.chord);
   grants.strict = declared.strict;
-  Terms terms = terms_of(make_terms(subject, profile, grants), profile);
+  Tolerances terms = terms_of(make_tolerances(subject, profile, grants), profile);
   terms.exact = declared.exact;
   const Trace read = trace_of(trace);
   return decide(profile, program, terms, read.outcome());

@@ -22,8 +22,8 @@ struct Trace {
 Trace trace_of(std::string_view lines);
 std::string text_of(const Trace& trace);
 
-// The judge's terms as those of the definition.
-Terms terms_of(const oracle::JudgeTerms& terms, const reference::Profile& profile);
+// The judge's tolerances as those of the definition.
+Tolerances terms_of(const oracle::Tolerances& terms, const reference::Profile& profile);
 
 // What the subject declares and the certifier grants.
 struct Declared {

@@ -550,6 +550,32 @@ TEST(R7Silence, AnAlarmOfOursMayBeMissing) {
             "fail.alarm-late R6");
 }
 
+// GSK-COM-10: a word without use may be told as that or as one that excludes another.
+// SIE-LEX-02: CIP=0 is an alarm, and no text says whether of syntax or of the code.
+TEST(R7Silence, ExcusesEachNameOfItsAnswer) {
+  const auto refused = [](std::string_view alarm_class) {
+    return decided("G00 X50 Z5\nG94 X40 Z0 F100 L7\nM30\n",
+                   R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}}
+{"k":"alarm","b":2,"class":")" +
+                       std::string(alarm_class) + "\"}",
+                   {.dialect = "gsk988ta"});
+  };
+  EXPECT_EQ(refused("unused-word"), "advice R6");
+  EXPECT_EQ(refused("conflicting-words"), "advice R6");
+  EXPECT_EQ(refused("duplicate-word"), "fail.alarm-spurious R6");
+  const auto named = [](std::string_view alarm_class, bool strict = false) {
+    return decided("G0 X10\nCIP=0\n",
+                   R"({"k":"rapid","b":1,"to":{"x":"10"}}
+{"k":"alarm","b":2,"class":")" +
+                       std::string(alarm_class) + "\"}",
+                   {.dialect = "sinumerik840d", .strict = strict});
+  };
+  EXPECT_EQ(named("syntax"), kGo);
+  EXPECT_EQ(named("undefined-code"), "advice R6");
+  EXPECT_EQ(named("undefined-code", true), "fail.alarm-class R6");
+  EXPECT_EQ(named("arc-radius"), "fail.alarm-class R6");
+}
+
 // Line 3 is a second %, behind which X moves to a radius of 10, then of 15.
 TEST(R7Silence, AnEndOfOursExcusesWhatStandsBehindIt) {
   const auto behind = [](std::string_view more, bool strict = false) {

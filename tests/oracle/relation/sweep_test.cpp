@@ -8,7 +8,7 @@
 
 #include "changes.hpp"
 #include "comparison.hpp"
-#include "oracle/corpus/corpus.hpp"
+#include "corpus/io/corpus.hpp"
 
 namespace gonogo::relation {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 using reference::Record;
 using reference::RecordKind;
 
-// A case under one assignment of its readings, with the trace that the corpus expects.
+// A case under one combination of its readings, with the trace that the corpus expects.
 struct Specimen {
   std::string id;
   std::string program;
@@ -27,7 +27,7 @@ struct Specimen {
 constexpr std::size_t kMostRecords = 40;
 // A curve takes the definition a hundred times as long as a line: one case in so many.
 constexpr std::size_t kRoundCases = 48;
-// The definition looks at each assignment of open readings: they are left open in one case of so
+// The definition looks at each combination of open readings: they are left open in one case of so
 // many, and in none with curves.
 constexpr std::size_t kOpenCases = 16;
 
@@ -75,7 +75,7 @@ std::vector<Specimen> specimens() {
 }
 
 void compare(Comparison& comparison, const Specimen& specimen, std::string_view change,
-             const oracle::JudgeTerms& terms, const Trace& trace) {
+             const oracle::Tolerances& terms, const Trace& trace) {
   comparison.compare({specimen.id, specimen.program, specimen.profile, terms}, change,
                      trace.records, trace.end);
 }
@@ -100,7 +100,7 @@ TEST(DefinitionSweep, TheJudgeSaysTheSameOfChangedTraces) {
   for (long done = 0; done < trials.count;) {
     const Specimen& specimen = trials.one_of(all);
     const Change& change = trials.one_of(changes());
-    const oracle::JudgeTerms terms =
+    const oracle::Tolerances terms =
         terms_for(specimen.profile, !trials.once_in(4), !trials.once_in(8));
     Trace trace = specimen.right;
     if (!change.apply(trace.records, terms.tolerance, trials)) continue;

@@ -12,8 +12,9 @@
 
 #include "changes.hpp"
 #include "comparison.hpp"
+#include "corpus/io/corpus.hpp"
 #include "expanders/registry.hpp"
-#include "oracle/corpus/corpus.hpp"
+#include "subjects/make_subject.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
 #include "tests/oracle/mutations/operator.hpp"
 
@@ -69,7 +70,7 @@ const oracle::Corpus& corpus() {
   return all;
 }
 
-// Calls `visit` with each case under each assignment of its readings, and what the corpus expects.
+// Calls `visit` with each case under each combination of its readings, and what the corpus expects.
 template <typename Visit>
 void each_expectation(const Visit& visit) {
   corpus().for_each([&](const oracle::Case& test) {
@@ -94,7 +95,7 @@ TEST(WholeSweep, WhatTheCorpusExpects) {
   Comparison comparison;
   each_expectation([&](const oracle::Case& test, const reference::Profile& profile,
                        const std::vector<Record>& records, const oracle::RunEnd& end) {
-    const oracle::JudgeTerms terms = terms_for(profile, true, true);
+    const oracle::Tolerances terms = terms_for(profile, true, true);
     comparison.compare({test.id, test.program, profile, terms}, "right", records, end);
     print_now_and_then(comparison);
   });
@@ -111,7 +112,7 @@ TEST(WholeSweep, WhatTheCorpusExpectsChanged) {
                          const std::vector<Record>& records, const oracle::RunEnd& end) {
       if (comparison.traces() >= trials.count || !trials.once_in(4)) return;
       const Change& change = trials.one_of(changes());
-      const oracle::JudgeTerms terms = terms_for(profile, !trials.once_in(4), !trials.once_in(8));
+      const oracle::Tolerances terms = terms_for(profile, !trials.once_in(4), !trials.once_in(8));
       std::vector<Record> changed = records;
       if (!change.apply(changed, terms.tolerance, trials)) return;
       comparison.compare({test.id, test.program, profile, terms}, change.name, changed, end);
@@ -163,8 +164,8 @@ void try_fault(const gonogo_subject_v1& table, std::string_view fault, const ora
     return records.size() < kMostRecords;
   });
   if (!is_answer(end) || !is_short(records, test.profile)) return;
-  const oracle::JudgeTerms terms =
-      make_terms(subject->info(), test.profile, std::nullopt, std::nullopt);
+  const oracle::Tolerances terms =
+      make_tolerances(subject->info(), test.profile, std::nullopt, std::nullopt);
   comparison.compare({test.id, test.program, test.profile, terms}, fault, records, end);
   print_now_and_then(comparison);
 }

@@ -24,7 +24,7 @@ std::vector<std::pair<int, int>> small_intervals() {
   return all;
 }
 
-// The ends of a product are among the products of the ends, whatever the signs.
+// The ends of a product are among the products of the ends, for all signs.
 TEST(Interval, AProductIsTheHullOfTheProductsOfTheEnds) {
   for (const auto& [a, b] : small_intervals()) {
     for (const auto& [c, d] : small_intervals()) {

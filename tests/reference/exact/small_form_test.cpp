@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The 64-bit form of a number is a filter before GMP, which is the definition: whatever is worked
+// The 64-bit form of a number is a filter before GMP, which is the definition: all that is worked
 // out in it is the very number, in the very form, that rationals of GMP come to. GONOGO_TRIALS says
 // how many pairs are tried.
 #include <gtest/gtest.h>

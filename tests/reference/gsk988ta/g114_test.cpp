@@ -110,7 +110,7 @@ TEST(G115, TurnsTheOtherWay) {
   EXPECT_EQ(first_run_out(thread("G117", "I5 J2 K90")).to[Axis::x], Number(17));
 }
 
-// Whatever K: the arc passes through both ends, its centre lies on the radius vector of the start
+// For any K: the arc passes through both ends, its centre lies on the radius vector of the start
 // (Z r, X 0) so that it leaves tangentially, and it leaves in the direction of the cutting feed:
 // with the centre inside as the thread turns, with the centre outside the other way.
 void expect_tangential_arc(const std::string& code, int k) {

@@ -278,7 +278,7 @@ Stand after(const Step& step, Stand stand) {
 }
 
 rc::Gen<Model> models() {
-  // At the full size, whatever the number of the case: a range of size 0 is its lower end.
+  // At the full size in each case: a range of size 0 is its lower end.
   return rc::gen::resize(rc::kNominalSize, rc::gen::exec([] {
                            Model model;
                            model.start = any_point();

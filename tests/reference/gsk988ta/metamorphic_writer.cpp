@@ -135,7 +135,7 @@ class Writer {
         is_milling(step.kind) || repeat.r || repeat.named[0] || repeat.named[1] || repeat.named[2];
     const bool spelled_out = writing_.repeats != Repeats::as_given && repeats;
     if (writing_.repeats == Repeats::entered_anew && repeats && !first) block({{'G', "80"}});
-    take_in(step.kind, words);
+    latch(step.kind, words);
     if (spelled_out) {
       for (const Word& word : retained_) {
         if (!has_address(words, word.address)) words.push_back(word);
@@ -149,7 +149,7 @@ class Writer {
     stand_ = after(repeat, step.kind, stand_);
   }
 
-  void take_in(StepKind kind, const Words& words) {
+  void latch(StepKind kind, const Words& words) {
     for (const Word& word : words) {
       if (retained_addresses(kind).find(word.address) == std::string_view::npos) continue;
       std::erase_if(retained_, [&](const Word& old) { return old.address == word.address; });

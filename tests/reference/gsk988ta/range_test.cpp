@@ -53,7 +53,7 @@ TEST(Range, SignedWordsOfG94) {
   }
 }
 
-// A pocket of zero depth: it mills, and reaches the bottom whatever R is.
+// A pocket of zero depth: it mills, and reaches the bottom for any R.
 const std::string kPocketEntry = "G110 I16 L3 Q5 D4 F800 ";
 
 TEST(Range, SignedWordsOfG110) {

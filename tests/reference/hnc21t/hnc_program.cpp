@@ -260,7 +260,7 @@ Stand after(const Program& program, const Block& block, Stand stand) {
 }
 
 rc::Gen<Program> programs() {
-  // At the full size, whatever the number of the case: a range of size 0 is its lower end.
+  // At the full size in each case: a range of size 0 is its lower end.
   return rc::gen::resize(rc::kNominalSize, rc::gen::exec([] { return Maker().make(); }));
 }
 

@@ -96,7 +96,7 @@ class Writer {
     const bool repeats = !entry && block.code >= 32 && is_motion(block.code);
     const bool spelled_out = repeats && writing_.repeats != Repeats::as_given;
     if (spelled_out && writing_.repeats == Repeats::entered_anew) lines_.push_back({{'G', "0"}});
-    for (const Given& given : block.words) take_in(block.code, given);
+    for (const Given& given : block.words) latch(block.code, given);
     Words words;
     if (!is_motion(block.code) || entry || block.code_stands || spelled_out) {
       words.push_back({'G', fmt::format("{}", block.code)});
@@ -111,7 +111,7 @@ class Writer {
     stand_ = after(program_, block, stand_);
   }
 
-  void take_in(int code, const Given& given) {
+  void latch(int code, const Given& given) {
     if (retained_addresses(code).find(given.address) == std::string_view::npos) return;
     const bool threads = code == 82 || code == 32;
     std::erase_if(retained_, [&](const Given& old) {

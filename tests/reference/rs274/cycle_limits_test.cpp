@@ -107,6 +107,17 @@ TEST(NgcThreadLimits, PassesAndTheDepth) {
   EXPECT_EQ(cuts_of("J1 K2 H3"), 5U);
 }
 
+// NGC-G76-05: (K/J)^R may be of thirty digits. J 0.001 and K 10 are 10,000 passes.
+TEST(NgcThreadLimits, PassesThatTheGaugeDoesNotFollow) {
+  EXPECT_EQ(cuts_of("J0.001 K10"), 10'000U);
+  EXPECT_EQ(cuts_of("J9 K10 H9998"), 10'000U);
+  for (const char* words : {"J0.001 K10.0001", "J0.25 K0.5495 R90", "J9 K10 H10000"}) {
+    const auto items = expand("G18 M3\nG76 P1 Z-20 I-1 " + std::string(words) + "\nM2", ngc());
+    EXPECT_TRUE(std::holds_alternative<NotCovered>(items.back())) << words;
+    EXPECT_LT(items.size(), 3U) << words;
+  }
+}
+
 // d_4 = 2 and d_9 = 3 of R 2 are rational; d_8 = 4 of R 3/2.
 TEST(NgcThreadLimits, DepthsThatAreRationalAreSo) {
   const auto depth = [](const std::string& words, std::size_t pass) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The readings of cycles and threads, each alternative worked out by hand, and when a program asks
+// The readings of cycles and threads, each alternative derived by hand, and when a program asks
 // for one.
 #include <gtest/gtest.h>
 
@@ -177,7 +177,7 @@ TEST(NgcCycleReadings, DOfPecks) {
             "F0,0,-1 R0,0,-0.5 F0,0,-2 R0,0,0 F0,0,-1 R0,0,-0.746 F0,0,-2 R0,0,0");
   EXPECT_EQ(under({has_d}, "G20 G99 G73 X0 Z-2 R0 Q1 D0.5"),
             "F0,0,-25.4 R0,0,-12.7 F0,0,-50.8 R0,0,0");
-  // Passed over where nothing uses it.
+  // Ignored where nothing uses it.
   EXPECT_EQ(under({{"ngc.unused-words", "ignored"}}, g83 + " D0.5"), pecks_with("-0.746 -3.746"));
 }
 
@@ -264,7 +264,7 @@ TEST(NgcCycleReadings, EntryOfG76) {
             "T-1,0,-20@2 R0,0,-20");
 }
 
-// Whatever else is wrong with the block.
+// Also where something else is wrong with the block.
 TEST(NgcCycleReadings, EntryOfG76WithoutFeedOrSpindle) {
   EXPECT_EQ(trace("G18\nG76 P2 Z-20 I-1 J1 K2 L1 E2\nM2", ngc({{"ngc.g76.entry", "feed"}})),
             "!b2:feed-missing,spindle-stopped");

@@ -36,6 +36,62 @@ TEST(NgcModes, TheProfileMayGiveAMotion) {
   EXPECT_EQ(path("X1 F100", profile), Lines{"feed x1 f100"});
 }
 
+// 3-4-5: 5 mm in half a minute are 10 mm/min. Of rotary axes alone 90 degrees in a third of one.
+TEST(NgcModes, InverseTimeIsTheWayTimesF) {
+  EXPECT_EQ(path("G93 G1 X3 Y4 F2\nX6 Y8 F1\nG0 X0 Y0"),
+            (Lines{"feed x3 y4 f10", "feed x6 y8 f5", "rapid x0 y0"}));
+  EXPECT_EQ(path("G93 G1 A90 F3\nX2 A0 F3"), (Lines{"feed a90 f270", "feed x2 a0 f6"}));
+  EXPECT_EQ(path("G20 G93 G1 X1 F2"), Lines{"feed x25.4 f50.8"});
+  EXPECT_EQ(ending_of("F9 G93 G1 X1\nX2"), "alarm b2 feed-missing");
+  EXPECT_EQ(ending_of("G93 F2\nG1 X1"), "alarm b2 feed-missing");
+  EXPECT_EQ(ending_of("G93 G2 X2 I1 F2"), "not-covered b1 F");
+  EXPECT_EQ(ending_of("G93 G2 X2 I1"), "alarm b1 feed-missing");
+}
+
+TEST(NgcModes, AnotherModeOfFeedNeedsANewF) {
+  EXPECT_EQ(path("G95 G1 X1 F0.2\nG94 X2 F9"), (Lines{"feed x1 f0.2/rev", "feed x2 f9"}));
+  EXPECT_EQ(ending_of("F9 G1 X1\nG95 X2"), "alarm b2 feed-missing");
+  EXPECT_EQ(ending_of("G93 G1 X1 F9\nG94 X2"), "alarm b2 feed-missing");
+  EXPECT_EQ(touched("F9 G1 X1\nG95 F1 X2\nM2"), Lines{});
+  EXPECT_EQ(path("G95 F0.1 G99 G81 X1 Z-1 R1").at(2), "feed z-1 f0.1/rev");
+}
+
+TEST(NgcModes, ConstantSurfaceSpeedNeedsSAndASpindleThatTurns) {
+  EXPECT_EQ(path("G96 D2500 S250 M3\nG1 X1 F9\nG97 S100 M5\nX2"),
+            (Lines{"feed x1 f9", "feed x2 f9"}));
+  EXPECT_EQ(ending_of("G96 D2500"), "alarm b1 missing-word");
+  EXPECT_EQ(ending_of("G96 S9 F9\nG0 X1\nG1 X2"), "alarm b3 spindle-stopped");
+  EXPECT_EQ(ending_of("G97 S9 D9"), "alarm b1 unused-word");
+}
+
+// The documents: X1 moves the cutter to 0.5 from the centre.
+TEST(NgcModes, UnderG7XIsADiameter) {
+  EXPECT_EQ(path("G7\nG0 X1 Z1\nG91 X1\nG8\nX1"), (Lines{"rapid x0.5 z1", "rapid x1", "rapid x2"}));
+  EXPECT_EQ(path("G7 G18\nG2 X4 Z2 I2 F9"), Lines{"arc x2 z2 c0,2 rot-1 f9"});
+  for (const char* block : {"G8 X1", "G92 X1", "G43.1 X1", "G90.1 G2 X1 I1", "G19 G81 X1 R2"}) {
+    EXPECT_EQ(ending_of("F1\nG7\n" + std::string(block)).substr(0, 14), "not-covered b3") << block;
+  }
+}
+
+// Of the documents' list of what is saved.
+TEST(NgcModes, M72RestoresWhatM70Saved) {
+  EXPECT_EQ(path("F9 G1 M70\nG91 G20 G18 F5 G55\nM72\nG3 X2 I1", ngc()),
+            Lines{"arc x2 y0 c1,0 rot1 f9"});
+  EXPECT_EQ(path("M70\nG91\nM70\nM72\nG0 X1\nX1"), (Lines{"rapid x1", "rapid x2"}));
+  EXPECT_EQ(ending_of("M72"), "alarm b1 missing-word");
+  EXPECT_EQ(ending_of("M70\nM71\nM72"), "alarm b3 missing-word");
+  EXPECT_EQ(ending_of("M70\nM3\nM72"), "not-covered b3 M");
+}
+
+TEST(NgcModes, M73RestoresWhereItsSubroutineEnds) {
+  EXPECT_EQ(path("o1 sub\nM73 G91\no1 endsub\nG0 X1\no1 call\nX1"),
+            (Lines{"rapid x1", "rapid x1"}));
+  EXPECT_EQ(path("o1 sub\nM70 G91\no1 endsub\nG0 X1\no1 call\nX1"),
+            (Lines{"rapid x1", "rapid x2"}));
+  EXPECT_EQ(path("M70\no1 sub\nG91\nM70\no1 endsub\nG0 X1\no1 call\nM72\nX1"),
+            (Lines{"rapid x1", "rapid x1"}));
+}
+
 TEST(NgcModes, POfAnotherCodeNeedsNoMotion) {
   EXPECT_EQ(ending_of("G64 P0.01\nM66 P0 L0\nM62 P1\nM50 P1"), "end x0 y0 z0 a0 c0");
   EXPECT_EQ(ending_of("G61 P0.01"), "alarm b1 unused-word");
@@ -104,8 +160,7 @@ TEST(NgcModes, MFunctionsThatStopComeAfterTheMotion) {
 
 TEST(NgcModes, MFunctionsRunInTheOrderOfExecution) {
   // Outputs, the tool, the spindle, coolant, overrides; the stop after the motion.
-  EXPECT_EQ(lines("M49 M9 M4 M62 P1 X1 G0", ngc()),
-            (Lines{"m62", "m4", "m9", "m49", "rapid x1"}));
+  EXPECT_EQ(lines("M49 M9 M4 M62 P1 X1 G0", ngc()), (Lines{"m62", "m4", "m9", "m49", "rapid x1"}));
   EXPECT_EQ(lines("M1 M8 M3 M6 X1 G0", ngc()), (Lines{"m6", "m3", "m8", "rapid x1", "m1"}));
 }
 

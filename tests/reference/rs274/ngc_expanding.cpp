@@ -7,7 +7,7 @@ namespace gonogo::reference::testing::ngc {
 
 Profile ngc(std::initializer_list<std::pair<std::string_view, std::string_view>> readings) {
   Profile profile = std::get<Profile>(default_profile("rs274"));
-  profile.readings.set(ReadingKey::ngc_program_end, "free");
+  profile.readings.set("ngc.program-end=free"_reading);
   for (const auto& [name, value] : readings) {
     if (auto error = set_reading(profile, name, value)) throw std::invalid_argument(error->message);
   }

@@ -175,7 +175,7 @@ std::string text(const Blocks& blocks) {
 
 Profile machine(const Program& program, const Writing& writing) {
   Profile profile = std::get<Profile>(default_profile("rs274"));
-  profile.readings.set(ReadingKey::ngc_program_end, "free");
+  profile.readings.set("ngc.program-end=free"_reading);
   const Vector start = writing.axes.point(program.start);
   for (std::size_t i = 0; i < 3; ++i) {
     const bool inches = writing.inch || writing.inch_in_mm;

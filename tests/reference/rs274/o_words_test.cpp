@@ -114,5 +114,29 @@ TEST(NgcOWords, LinesBehindALoopAreReadAsEver) {
   EXPECT_EQ(path("o1 if [0]\n/o1 else\nG0 X1\no1 endif\nG0 X2", skips), Lines{"rapid x2"});
 }
 
+// The documents' example of nested subprograms: 5 times, and 5 times in each; #1 ends at 5.25.
+TEST(NgcOWords, M98CallsWhatStandsBehindIt) {
+  EXPECT_EQ(path("O1\n#1=0\nM98 P100 L5\nG0 X#1\nM30\nO100\n#1=[#1+1]\nM98 P200 L5\nM99\n"
+                 "O200\n#1=[#1+0.01]\nM99"),
+            Lines{"rapid x5.25"});
+  EXPECT_EQ(path("G91\nG0 X1\nM98 P2\nM98 P0002 L0\nM98 P2 L2\nM2\nO0002\nY1\nM99"),
+            (Lines{"rapid x1", "rapid y1", "rapid y2", "rapid y3"}));
+  EXPECT_EQ(path("G0 X1\nM98 P1\nX3\nM2\nO1\no2 if [1]\nX2\nM99\no2 endif\nX9\nM99"),
+            (Lines{"rapid x1", "rapid x2", "rapid x3"}));
+}
+
+TEST(NgcOWords, StylesOfSubprogramsDoNotMix) {
+  EXPECT_EQ(ending_of("M98 P1\nM2\nO1 sub\nO1 endsub"), "alarm b1 syntax");
+  EXPECT_EQ(ending_of("M98 P1\nM2\nO1\nG0 X1\nO1 endsub"), "alarm b1 syntax");
+  EXPECT_EQ(ending_of("O1 call\nM2\nO1\nG0 X1\nM99"), "alarm b1 syntax");
+  EXPECT_EQ(ending_of("O1 sub\nM99\nO1 endsub\nO1 call\nM2"), "alarm b2 syntax");
+  EXPECT_EQ(ending_of("M98"), "alarm b1 missing-word");
+  EXPECT_EQ(ending_of("M98 P1 L-1"), "alarm b1 value-sign");
+  EXPECT_EQ(ending_of("M98 P1.5"), "alarm b1 not-an-integer");
+  EXPECT_EQ(ending_of("M98 P1\nM2"), "not-covered b1 M98");
+  EXPECT_EQ(ending_of("G0 X1\nM99"), "not-covered b2 M99");
+  EXPECT_EQ(ending_of("G0 X1 M98 P1\nM2\nO1\nM99"), "not-covered b1 M");
+}
+
 }  // namespace
 }  // namespace gonogo::reference::testing::ngc

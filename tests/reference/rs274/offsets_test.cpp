@@ -83,5 +83,67 @@ TEST(NgcOffsets, ArcsAndCyclesMoveAsAWhole) {
                    "rapid x2 y0", "rapid z7", "feed z3 f1", "rapid z20"}));
 }
 
+// A quarter of a turn takes (x, y) to (-y, x); half of one takes it to (-x, -y).
+TEST(NgcOffsets, RTurnsTheSystemAboutItsOrigin) {
+  EXPECT_EQ(path("G10 L2 P1 X5 R90\nG0 X3 Y1\nG1 X4 F9\nG3 X2 I-1\nG10 L2 P1 R0\nG0 X0 Y0"),
+            (Lines{"rapid x4 y3", "feed x4 y4 f9", "arc x4 y2 c4,3 rot1 f9", "rapid x5 y0"}));
+  EXPECT_EQ(path("G10 L2 P1 R180\nG0 X1 Y2\nG91 X1\nZ1"),
+            (Lines{"rapid x-1 y-2", "rapid x-2 y-2", "rapid z1"}));
+  EXPECT_EQ(path("G10 L2 P2 R90\nG0 X1\nG55 X2\nG54 X2"),
+            (Lines{"rapid x1", "rapid x1 y2", "rapid x2"}));
+}
+
+// The documents: an offset of G92 or G52 is applied after the rotation. G92 X0 at (0, 3) of the
+// machine, x' = 3: the axis X' points along Y.
+TEST(NgcOffsets, G92AndG52AreAlongTurnedAxes) {
+  EXPECT_EQ(path("G10 L2 P1 R90\nG0 X3\nG92 X0\nX1").back(), "rapid x0 y4");
+  EXPECT_EQ(path("G10 L2 P1 R90\nG52 X2\nG0 X1 Y1").back(), "rapid x-1 y3");
+}
+
+// G53 leaves Y of the machine where it is; G30 goes first to X1 Y1 of the program.
+TEST(NgcOffsets, PlacesOfTheMachineDoNotTurn) {
+  EXPECT_EQ(path("G10 L2 P1 R90\nG0 X3 Y1\nG53 X7"), (Lines{"rapid x-1 y3", "rapid x7 y3"}));
+  EXPECT_EQ(path("G10 L2 P1 R90\nG0 X3 Y1\nG30 X1 Y1", machine()),
+            (Lines{"rapid x-1 y3", "rapid x-1 y1", "rapid x7 y0"}));
+  EXPECT_EQ(ending_of("G10 L2 P1 R90\nG0 X3 Y1\nG30 X1"), "not-covered b3 G28");
+  EXPECT_EQ(path("G10 L2 P1 R90\nG0 X3 Y1\nG10 L20 P1 X0\nX1").back(), "rapid x-1 y4");
+}
+
+TEST(NgcOffsets, ATurnedCycleIsAlongTheThirdAxis) {
+  EXPECT_EQ(path("G10 L2 P1 R90\nG0 Z5\nG99 G81 X2 Y0 Z-1 R1 F9"),
+            (Lines{"rapid z5", "rapid x0 y2", "rapid z1", "feed z-1 f9", "rapid z1"}));
+  EXPECT_EQ(ending_of("G10 L2 P1 R90\nF9 G18 G2 X2 I1"), "not-covered b2 rotation");
+  EXPECT_EQ(ending_of("G10 L2 P1 R90\nM3 G33 X2 K1"), "not-covered b2 rotation");
+}
+
+// The documents: G52 X1 Y2 reduces the coordinates of the position by 1 and 2; Z stays.
+TEST(NgcOffsets, G52IsALocalOrigin) {
+  EXPECT_EQ(path("G52 X1 Y2\nG0 X0 Y0 Z0\nG52 X0\nX0 Y0"),
+            (Lines{"rapid x1 y2 z0", "rapid x0 y2"}));
+  EXPECT_EQ(path("G0 X4\nG92 X7\nG52 X1\nX0").back(), "rapid x1");
+  EXPECT_EQ(ending_of("G52"), "alarm b1 missing-word");
+}
+
+// A tool 40 long stands at Z50 of the machine: Z10 of the program under G43. L10 Z1.5 makes it
+// 48.5 long, L11 with G59.3 at Z0 too.
+TEST(NgcOffsets, G10SetsWhatAToolMovesTheAxesBy) {
+  EXPECT_EQ(path("G10 L1 P1 Z5 R2\nG43 H1\nG0 Z1", machine()), Lines{"rapid z6"});
+  EXPECT_EQ(path("G43 H1\nG0 Z10\nG10 L10 P1 Z1.5\nZ0\nG43 H1 Z0", machine()),
+            (Lines{"rapid z50", "rapid z40", "rapid z48.5"}));
+  EXPECT_EQ(path("G10 L2 P1 Z3\nG0 Z47\nG10 L11 P1 Z1.5\nG43 H1 Z0", machine()).back(),
+            "rapid z51.5");
+  EXPECT_EQ(ending_of("G10 L1 Z5", machine()), "alarm b1 missing-word");
+  EXPECT_EQ(ending_of("G10 L1 P0 Z5", machine()), "alarm b1 value-out-of-range");
+  EXPECT_EQ(ending_of("G10 L1 P2 Z5", machine()), "alarm b1 no-tool");
+  EXPECT_EQ(ending_of("G10 L0", machine()), "not-covered b1 G10");
+  EXPECT_EQ(ending_of("G10 L2 P1 X1 I1"), "alarm b1 unused-word");
+}
+
+TEST(NgcOffsets, G43Point2AddsToTheToolLength) {
+  EXPECT_EQ(path("G43 H1\nG43.2 H1\nG43.2 Z1 X2\nG0 X0 Z0", machine()), Lines{"rapid x2 z81"});
+  EXPECT_EQ(ending_of("G43.2"), "alarm b1 missing-word");
+  EXPECT_EQ(ending_of("G43.2 H1 Z1", machine()), "alarm b1 conflicting-words");
+}
+
 }  // namespace
 }  // namespace gonogo::reference::testing::ngc

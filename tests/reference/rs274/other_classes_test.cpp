@@ -111,7 +111,7 @@ TEST(OtherClasses, OfALineNumberThatIsTooLarge) {
             with({"syntax"}, kFraction));
 }
 
-// The rule that is broken is one, whatever it may be called.
+// The rule that is broken is one, under each of its names.
 TEST(OtherClasses, AreNoFurtherRulesThatAreBroken) {
   EXPECT_EQ(ending_of("F100\nG81 X1 Z-1 R1 L0\n").find(','), std::string::npos);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs of hole cycles that were worked out by hand, and what two machines made of them.
+// Programs of hole cycles that were derived by hand, and what two machines made of them.
 #pragma once
 
 #include <span>

@@ -41,7 +41,7 @@ TEST(NgcWorkedHoles, AreAsTheInterpreterOfNistHasThemUnderItsReadings) {
   EXPECT_EQ(measured, 35);
 }
 
-// Read in their sources, and worked out by hand.
+// Read in their sources, and derived by hand.
 TEST(NgcWorkedHoles, AreAsOtherMachinesHaveThemUnderTheirReadings) {
   const std::string_view pecks = "G98 F100\nG0 Z10\nG83 X1 Z-7 R2 Q3\nM2";
   EXPECT_EQ(trace(pecks, column("grblhal")),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Threads that were worked out by hand; LinuxCNC 2.9 as measured makes the same.
+// Threads that were derived by hand; LinuxCNC 2.9 as measured makes the same.
 #include <gtest/gtest.h>
 
 #include "ngc_trace.hpp"

@@ -53,7 +53,7 @@ TEST(SieExpression, WhatHasNoValueIsAnAlarm) {
   EXPECT_EQ(clauses("R1=1/0"), Lines{"SIE-PAR-01"});
 }
 
-// SIE-MOD-02: what is passed over is a word with a value all the same.
+// SIE-MOD-02: what is ignored is a word with a value all the same.
 TEST(SieExpression, WhatIsPassedOverHasAValueToo) {
   EXPECT_EQ(outcome("SPOS=SQRT(-1)"), "value-out-of-range SPOS");
   EXPECT_EQ(outcome("G0 LIMS=1/0"), "value-out-of-range LIMS");

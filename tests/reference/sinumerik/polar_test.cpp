@@ -194,7 +194,7 @@ TEST(SiePolar, ATangentArcAlongARayIsALine) {
   EXPECT_EQ(outcome_of_program(before + "RP=15"), "arc-tangent CT");
 }
 
-// SIE-POL-02 holds for AP and RP whatever else stands in the block.
+// SIE-POL-02 holds for AP and RP beside any other word.
 TEST(SiePolar, TheRangesAreCheckedBesideAnotherFormOfTheArc) {
   EXPECT_EQ(outcome("G3 AR=90 RP=-1 AP=0"), "value-sign RP, conflicting-words AP");
   EXPECT_EQ(outcome("G3 CR=9 RP=-1 AP=0"), "value-sign RP, conflicting-words AP");

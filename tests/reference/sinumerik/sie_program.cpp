@@ -214,7 +214,7 @@ Program moved(Program program, Move move) {
 
 }  // namespace
 
-// At the full size, whatever the number of the case: a range of size 0 is its lower end.
+// At the full size in each case: a range of size 0 is its lower end.
 rc::Gen<Program> programs() {
   return rc::gen::resize(rc::kNominalSize, rc::gen::exec([] { return Maker().make(false); }));
 }

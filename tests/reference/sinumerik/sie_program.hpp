@@ -75,7 +75,7 @@ struct Writing {
   bool absolute_centres = false;  // I=AC( )
   Lengths lengths = Lengths::mm;
   Values values = Values::constants;
-  bool poles_from_zero = false;  // G111, whatever the program says
+  bool poles_from_zero = false;  // G111, against the program
   bool planes_by_axes = false;   // no code of a plane ahead of a flat arc
 };
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which cases of a corpus a campaign runs, and under which profile.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/campaign.hpp"
+
+namespace gonogo::oracle {
+
+// Shard (from 1) of a case id: first 8 bytes of its SHA-256 modulo the number of shards, plus 1.
+unsigned shard_of(std::string_view id, unsigned shards);
+
+bool is_selected(const CampaignOptions& options, const Case& test);
+
+// What the header of a results file says of it: selection, shard, profile and readings. Throws
+// ResultsError.
+CampaignOptions asked_in(const nlohmann::ordered_json& header);
+
+// The case under the certifier's profile and readings; nothing when they contradict its own.
+std::optional<Case> under(const CampaignOptions& options, Case test);
+
+}  // namespace gonogo::oracle

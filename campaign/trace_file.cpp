@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "campaign/trace_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "oracle/steps/step_text.hpp"
+#include "oracle/records/output_file.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+[[noreturn]] void fail_to_write(const std::string& path, int error) {
+  throw ResultsUnwritable(fmt::format("{} cannot be written: {}", path, std::strerror(error)));
+}
+
+std::string subject_json(const SubjectInfo& subject) {
+  nlohmann::ordered_json reply;
+  reply["protocol"] = 1;
+  reply["subject"] = {{"name", subject.name}, {"version", subject.version}};
+  if (!subject.everything) reply["dialects"] = subject.dialects;
+  reply["features"] = subject.features;
+  reply["numeric"] = nlohmann::ordered_json::object();
+  if (subject.says_numeric) reply["numeric"]["kind"] = subject.numeric_kind;
+  if (subject.resolution) reply["numeric"]["resolution"] = subject.resolution->text();
+  if (subject.feed_resolution) {
+    reply["numeric"]["feed_resolution"] = subject.feed_resolution->text();
+  }
+  if (subject.chord) reply["numeric"]["chord"] = subject.chord->text();
+  return reply.dump() + "\n";
+}
+
+}  // namespace
+
+TraceFile::TraceFile(const std::string& folder, std::string_view id)
+    : path_(fmt::format("{}/{}.jsonl", folder, id)), part_(path_ + ".part") {
+  ::unlink(path_.c_str());
+  const int descriptor = create_anew(part_);
+  file_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
+  if (file_ == nullptr) error_ = errno;
+}
+
+TraceFile::~TraceFile() {
+  if (file_ != nullptr) ::unlink(part_.c_str());
+}
+
+void TraceFile::put(const std::string& line) {
+  if (error_ != 0) return;
+  if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() ||
+      std::fputc('\n', file_.get()) == EOF) {
+    error_ = errno;
+  }
+}
+
+void TraceFile::record(const reference::Record& record) {
+  if (error_ == 0) put(record_text(record));
+}
+
+void TraceFile::finish(const RunEnd& end) {
+  const bool has_outcome = end.kind == RunEnd::Kind::ok || end.kind == RunEnd::Kind::alarm ||
+                           end.kind == RunEnd::Kind::stopped;
+  if (end.kind == RunEnd::Kind::alarm) put(alarm_text(end.alarm));
+  if (error_ == 0 && std::fflush(file_.get()) != 0) error_ = errno;
+  if (error_ != 0) fail_to_write(part_, error_);
+  if (!has_outcome || end.sampled != nullptr) return;
+  if (std::rename(part_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
+  file_.reset();
+}
+
+void begin_traces(const std::string& folder, const SubjectInfo& subject) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) fail_to_write(folder, error.value());
+  const std::string path = folder + "/subject.json";
+  const std::string text = subject_json(subject);
+  try {
+    write_file(path, text);
+  } catch (const std::system_error& unwritten) {
+    fail_to_write(path, unwritten.code().value());
+  }
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/hunt/signature.hpp"
+
+#include <fmt/format.h>
+
+#include "corpus/io/sha256.hpp"
+#include "oracle/records/finding.hpp"
+#include "fuzz/program/modes.hpp"
+
+namespace gonogo::hunt {
+
+std::string Signature::text() const {
+  std::string out(name(kind));
+  for (const std::string& part : {clause, what}) {
+    if (!part.empty()) out += " " + part;
+  }
+  return code.empty() ? out : out + " in " + code;
+}
+
+std::string Signature::hash() const {
+  constexpr std::size_t kDigits = 8;
+  oracle::Sha256 hash;
+  hash.update(dialect + "\n" + text());
+  return hash.hex().substr(0, kDigits);
+}
+
+Signature signature_of(const oracle::Verdict& verdict, const generate::GeneratedProgram& program) {
+  Signature signature;
+  signature.dialect = program.profile.dialect;
+  signature.kind = verdict.kind;
+  signature.clause = reference::clause_name(verdict.clause);
+  signature.what = oracle::departed_about(verdict.kind, verdict.want, verdict.got, verdict.message);
+  if (oracle::is_breakdown(verdict.kind)) return signature;
+  signature.code = program::ProgramText(program.profile, program.text).code_at(verdict.block);
+  return signature;
+}
+
+std::string kind_in_text(const std::string& text) {
+  if (text.empty()) return "none";
+  for (const std::string_view key : {"\"class\":\"", "\"k\":\""}) {
+    const std::size_t at = text.find(key);
+    if (at == std::string::npos) continue;
+    const std::size_t from = at + key.size();
+    return text.substr(from, text.find('"', from) - from);
+  }
+  return text == "an answer" ? "answer" : "breakdown";
+}
+
+}  // namespace gonogo::hunt

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What two findings have in common when they are the same defect, as far as a black box shows.
+#pragma once
+
+#include <string>
+
+#include "fuzz/generate/generator.hpp"
+#include "oracle/records/verdict.hpp"
+
+namespace gonogo::hunt {
+
+struct Signature {
+  std::string dialect;
+  oracle::VerdictKind kind = oracle::VerdictKind::pass_exact;
+  std::string clause;  // departed from; empty: none
+  std::string what;    // kinds of the two records, classes of the two alarms, or what broke down
+  std::string code;    // in force in the block: "G94"
+
+  // "fail.geometry GSK-G94-02 feed/rapid in G94"
+  std::string text() const;
+  // 8 hexadecimal digits.
+  std::string hash() const;
+  friend auto operator<=>(const Signature&, const Signature&) = default;
+};
+
+Signature signature_of(const oracle::Verdict& verdict, const generate::GeneratedProgram& program);
+
+// The kind of a record or the class of an alarm, from its text: "feed"; "none" of nothing.
+std::string kind_in_text(const std::string& text);
+
+}  // namespace gonogo::hunt

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// An identification for people, and as a profile.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "fuzz/identify/identify.hpp"
+
+namespace gonogo::identify {
+namespace {
+
+using oracle::RunEnd;
+
+std::string joined(const std::vector<std::string>& values, std::string_view between) {
+  std::string text;
+  for (const std::string& value : values) {
+    text += fmt::format("{}{}", text.empty() ? "" : between, value);
+  }
+  return text;
+}
+
+void append_program(const Probe& probe, std::string& out) {
+  std::size_t begin = 0;
+  while (begin < probe.program.size()) {
+    std::size_t end = probe.program.find_first_of("\r\n", begin);
+    if (end == std::string::npos) end = probe.program.size();
+    if (end > begin) {
+      out += fmt::format("      {}\n", probe.program.substr(begin, end - begin));
+    }
+    begin = end + 1;
+  }
+}
+
+std::string answer_text(const RunEnd& end) {
+  switch (end.kind) {
+    case RunEnd::Kind::skip:
+    case RunEnd::Kind::refused:
+      return fmt::format("The subject skips it: {}", end.message);
+    default:
+      return fmt::format("The subject gives no answer: {}", end.message);
+  }
+}
+
+void append_run(const ProbeRun& run, std::size_t number, std::string& out) {
+  out += fmt::format("Program {}: {}", number, run.probe->id);
+  const std::string machine = reference::profile_json(run.probe->profile);
+  out += machine == "{}" ? "\n" : fmt::format(", machine {}\n", machine);
+  append_program(*run.probe, out);
+  if (!run.outcome.answered()) {
+    out += fmt::format("    {}\n", answer_text(run.outcome.end));
+  } else if (run.learnt.empty()) {
+    out += "    Nothing new.\n";
+  }
+  for (const std::string& sentence : run.learnt) out += fmt::format("    {}.\n", sentence);
+}
+
+void append_contradiction(const Identification& found, std::string& out) {
+  out += "The subject follows no readings consistently.\n";
+  const auto& those = found.contradiction;
+  const std::string& last = found.runs[those.front()].probe->id;
+  if (those.size() == 1) {
+    out += fmt::format("  What it does in program {}, {}, departs under every reading.\n",
+                       those.front() + 1, last);
+    return;
+  }
+  out += fmt::format("  What it does in program {}, {}, contradicts", those.front() + 1, last);
+  for (std::size_t i = 1; i < those.size(); ++i) {
+    out += fmt::format("{} program {}, {}", i == 1 ? "" : " together with", those[i] + 1,
+                       found.runs[those[i]].probe->id);
+  }
+  out += ": no one combination of readings explains them all.\n";
+}
+
+// A value as TOML has it; what profile_json writes.
+void append_toml(const std::string& prefix, const nlohmann::ordered_json& table, std::string& out) {
+  std::string tables;
+  for (const auto& [key, value] : table.items()) {
+    const std::string name = nlohmann::ordered_json(key).dump();
+    if (value.is_object()) {
+      const std::string path = prefix.empty() ? name : prefix + "." + name;
+      tables += fmt::format("\n[{}]\n", path);
+      append_toml(path, value, tables);
+    } else {
+      out += fmt::format("{} = {}\n", name, value.dump());
+    }
+  }
+  out += tables;
+}
+
+}  // namespace
+
+std::string identification_text(const Identification& found, std::string_view subject,
+                                std::string_view dialect) {
+  std::string out;
+  for (std::size_t i = 0; i < found.runs.size(); ++i) append_run(found.runs[i], i + 1, out);
+  out += fmt::format("\n{} in {}: {} programs", subject, dialect, found.answered());
+  if (found.runs.size() != found.answered()) {
+    out += fmt::format(" and {} without an answer", found.runs.size() - found.answered());
+  }
+  out += fmt::format(" (2^{:.0f} combinations)\n", found.bits);
+  if (found.is_thin()) {
+    out += "Most of the programs had no answer: what follows is not what the subject does.\n";
+  }
+  if (!found.contradiction.empty()) {
+    append_contradiction(found, out);
+    return out;
+  }
+  for (const ReadingFound& one : found.readings) {
+    out +=
+        fmt::format("  {:<24} {}{}\n", reference::reading(one.key).name, joined(one.values, " or "),
+                    one.why.empty() ? "" : fmt::format("  ({})", one.why));
+  }
+  if (!found.coordinates.empty()) {
+    out += fmt::format("  coordinates: {}\n", found.coordinates.text());
+  }
+  return out;
+}
+
+std::string identification_toml(const Identification& found, const Profile& machine) {
+  std::string out = fmt::format("dialect = \"{}\"\n", machine.dialect);
+  Profile plain = machine;
+  plain.readings = reference::ReadingChoice();
+  append_toml("", nlohmann::ordered_json::parse(reference::profile_json(plain)), out);
+  out += "\n[readings]\n";
+  for (const ReadingFound& one : found.readings) {
+    const std::string_view name = reference::reading(one.key).name;
+    if (one.values.size() == 1) {
+      out += fmt::format("\"{}\" = \"{}\"\n", name, one.values.front());
+    } else {
+      out += fmt::format("# \"{}\" is {}: {}\n", name, joined(one.values, " or "), one.why);
+    }
+  }
+  return out;
+}
+
+}  // namespace gonogo::identify

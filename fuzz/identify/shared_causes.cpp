@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/identify/shared_causes.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace gonogo::identify {
+namespace {
+
+class Sharing {
+ public:
+  Sharing(oracle::Subject& subject, const ExplanationTerms& terms) : explainer_(subject, terms) {}
+
+  void add_symptoms(std::span<const ProgramAsked> symptoms);
+  void add_others(std::span<const ProgramAsked> others);
+  SharedCauses find();
+
+ private:
+  struct Symptom {
+    std::size_t number = 0;
+    Observation seen;
+  };
+  // A mistake and the symptoms in `open_` that it explains.
+  struct Candidate {
+    const Variant* variant = nullptr;
+    std::vector<std::size_t> explained;
+  };
+  // Those that explain the first symptom that is open, the one that explains most first.
+  std::vector<Candidate> candidates(const Variants& variants);
+  bool keeps_passes(const Variant& variant);
+  // Takes the symptoms of the first open one's cause away, or that symptom alone.
+  void close_first();
+
+  Explainer explainer_;
+  std::vector<Symptom> open_;
+  std::vector<Observation> passing_;
+  SharedCauses found_;
+};
+
+void Sharing::add_symptoms(std::span<const ProgramAsked> symptoms) {
+  for (std::size_t i = 0; i < symptoms.size(); ++i) {
+    std::optional<Observation> seen = explainer_.observe(symptoms[i]);
+    if (seen && seen->departs()) open_.push_back({i, *std::move(seen)});
+  }
+}
+
+void Sharing::add_others(std::span<const ProgramAsked> others) {
+  for (const ProgramAsked& other : others) {
+    std::optional<Observation> seen = explainer_.observe(other);
+    if (seen && !seen->departs()) passing_.push_back(*std::move(seen));
+  }
+  found_.passes = passing_.size();
+}
+
+std::vector<Sharing::Candidate> Sharing::candidates(const Variants& variants) {
+  std::vector<Candidate> all;
+  for (const Variant& variant : variants) {
+    if (explainer_.is_spent()) break;
+    ++found_.tried;
+    if (!explainer_.explains(variant, open_.front().seen)) continue;
+    Candidate candidate{&variant, {0}};
+    for (std::size_t i = 1; i < open_.size(); ++i) {
+      if (explainer_.explains(variant, open_[i].seen)) candidate.explained.push_back(i);
+    }
+    all.push_back(std::move(candidate));
+  }
+  // Among equal ones the mistake that was tried first.
+  std::ranges::sort(all, {}, [&](const Candidate& candidate) {
+    return std::pair(open_.size() - candidate.explained.size(),
+                     candidate.variant - variants.data());
+  });
+  return all;
+}
+
+bool Sharing::keeps_passes(const Variant& variant) {
+  return std::ranges::all_of(
+      passing_, [&](const Observation& seen) { return explainer_.explains(variant, seen); });
+}
+
+void Sharing::close_first() {
+  explainer_.begin_anew();  // one that is too long leaves the others their chance
+  std::vector<std::size_t> closed = {0};
+  const Variants variants = variants_for(open_.front().seen);
+  for (const Candidate& candidate : candidates(variants)) {
+    if (!keeps_passes(*candidate.variant) || explainer_.is_spent()) continue;
+    closed = candidate.explained;
+    SharedCause cause{candidate.variant->name, {}, passing_.size()};
+    for (const std::size_t i : closed) cause.symptoms.push_back(open_[i].number);
+    found_.causes.push_back(std::move(cause));
+    break;
+  }
+  for (auto i = closed.rbegin(); i != closed.rend(); ++i) {
+    open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(*i));
+  }
+}
+
+SharedCauses Sharing::find() {
+  while (!open_.empty()) {
+    close_first();
+    found_.given_up = found_.given_up || explainer_.is_spent();
+  }
+  return std::move(found_);
+}
+
+}  // namespace
+
+SharedCauses find_shared_causes(oracle::Subject& subject, std::span<const ProgramAsked> symptoms,
+                                std::span<const ProgramAsked> others,
+                                const ExplanationTerms& terms) {
+  Sharing sharing(subject, terms);
+  sharing.add_symptoms(symptoms);
+  sharing.add_others(others);
+  return sharing.find();
+}
+
+std::string known_cause(oracle::Subject& subject, const ProgramAsked& symptom,
+                        const std::set<std::string>& names, const ExplanationTerms& terms) {
+  Explainer explainer(subject, terms);
+  const std::optional<Observation> seen = explainer.observe(symptom);
+  if (!seen || !seen->departs()) return {};
+  for (const Variant& variant : variants_for(*seen)) {
+    if (names.contains(variant.name) && explainer.explains(variant, *seen)) return variant.name;
+  }
+  return {};
+}
+
+}  // namespace gonogo::identify

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/identify/variant.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace gonogo::identify {
+
+bool has_same_words(const reference::Code& a, const reference::Code& b) {
+  return std::ranges::equal(a.words, b.words, [](const auto& one, const auto& other) {
+    return std::ranges::equal(one, other, {}, &reference::CodeWord::address,
+                              &reference::CodeWord::address);
+  });
+}
+
+bool is_parameter(const std::string& name) {
+  return name.size() > 1 && name[0] == 'R' && name[1] >= '0' && name[1] <= '9';
+}
+
+// std::set<std::string> of words that are read alike; of places those of one sort of axis.
+std::set<std::string> addresses_with(const reference::Descriptor& table,
+                                     std::initializer_list<reference::Role> roles, bool rotary) {
+  std::set<std::string> addresses;
+  for (const reference::Code& code : table.codes) {
+    for (const auto& list : code.words) {
+      for (const reference::CodeWord& word : list) {
+        const bool is_asked = std::ranges::find(roles, word.role) != roles.end();
+        const bool turns = word.address == "A" || word.address == "C";
+        if (is_asked && turns == rotary) addresses.emplace(word.address);
+      }
+    }
+  }
+  std::erase_if(addresses,
+                [](const std::string& address) { return address.find(' ') != std::string::npos; });
+  return addresses;
+}
+
+std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& table) {
+  using reference::Role;
+  return {addresses_with(table, {Role::centre}),
+          addresses_with(table, {Role::centre, Role::radius}),
+          addresses_with(table, {Role::place}, true),
+          addresses_with(table, {Role::size, Role::step}),
+          addresses_with(table, {Role::way}),
+          addresses_with(table, {Role::place})};
+}
+
+std::vector<Motions> motions_concerned(const Observation& departure) {
+  const ProgramText program(departure.profile, departure.program);
+  const reference::Code* const code = program.table->find(program.code_at(departure.verdict.block));
+  if (code == nullptr) return {};
+  // The same code turned the other way; codes with the same words; cycles of the same modal group.
+  std::array<Motions, 4> kin;
+  kin[0].emplace(code->name);
+  for (const reference::Code& other : program.table->codes) {
+    if (other.kind != code->kind || other.sense == 0) continue;
+    if (other.feature == code->feature) kin[1].emplace(other.name);
+    if (has_same_words(other, *code)) kin[2].emplace(other.name);
+    if (other.group == code->group) kin[3].emplace(other.name);
+  }
+  std::vector<Motions> concerned;
+  for (Motions& motions : kin) {
+    const bool is_known = std::ranges::find(concerned, motions) != concerned.end();
+    if (motions.contains(code->name) && !is_known) concerned.push_back(std::move(motions));
+  }
+  return concerned;
+}
+
+std::string names_of(const Motions& motions) {
+  return fmt::format("{}", fmt::join(motions, " "));
+}
+
+bool is_of(const ProgramText& program, std::uint64_t line, const Motions& motions) {
+  return motions.contains(program.code_at(line));
+}
+
+}  // namespace gonogo::identify

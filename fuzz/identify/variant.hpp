@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Mistakes that an implementation may make, each as a change to the reference's input or to the
+// subject's output: where the judge then says GO, the subject does what the reference would do
+// with that mistake.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "fuzz/identify/outcome.hpp"
+#include "fuzz/program/edit.hpp"
+
+namespace gonogo::identify {
+
+using program::ProgramText;
+using program::TextBlock;
+using program::TextWord;
+
+// What a subject that forgets to reset keeps from program to program.
+struct Carried {
+  std::optional<reference::Number> feed;          // mm
+  std::map<std::string, std::string> parameters;  // "R105" -> its word
+  // What a program leaves of it, up to its end.
+  void take(const Profile& profile, std::string_view program, const KeptOutcome& outcome);
+};
+
+// A program that the subject has run.
+struct Observation {
+  std::string id;
+  std::string program;
+  Profile profile;
+  KeptOutcome outcome;                   // of the subject
+  oracle::Verdict verdict;               // under the profile
+  std::uint64_t alarm = 0;               // line in which the reference alarms; 0: none
+  std::vector<reference::Alarm> alarms;  // that it admits there
+  Carried before;                        // left by programs that it ran before
+
+  bool departs() const { return decision(verdict.kind) == oracle::Decision::no_go; }
+};
+
+// What is judged in place of an observation. Views of it live as long as the observation.
+struct ChangedRun {
+  std::string program;
+  Profile profile;
+  KeptOutcome outcome;
+  // Compared motion by motion with `outcome`, in place of the judge, where the mistake shows in the
+  // reference's records only.
+  std::optional<KeptOutcome> model;
+};
+
+struct Variant {
+  std::string name;  // what the subject does, a sentence without its full stop
+  // Nothing: it makes no difference to this program.
+  std::function<std::optional<ChangedRun>(const Observation&)> apply;
+  // In place of a trial, where what the subject would do next is not known: whether the observation
+  // is as the mistake makes it.
+  std::function<bool(const Observation&)> holds = {};
+  std::string opposite = {};  // the name of the mistake in the other sense; empty: there is none
+};
+
+using Variants = std::vector<Variant>;
+
+// Codes that a mistake may be of: the one in force where the observation departs, alone and with
+// those that the same cycle is written for. Empty: it is not known.
+using Motions = std::set<std::string, std::less<>>;
+std::vector<Motions> motions_concerned(const Observation& departure);
+// Whether the two are programmed with the same words.
+bool has_same_words(const reference::Code& a, const reference::Code& b);
+// Addresses of the dialect with words of these roles; of places those of rotary axes or the others.
+std::set<std::string> addresses_with(const reference::Descriptor& table,
+                                     std::initializer_list<reference::Role> roles,
+                                     bool rotary = false);
+// Addresses whose words one mistake is likely to meet together.
+std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& table);
+// R105 and similar ones.
+bool is_parameter(const std::string& name);
+// "G110 G111"
+std::string names_of(const Motions& motions);
+// Whether the line of this number runs one of the codes.
+bool is_of(const ProgramText& program, std::uint64_t line, const Motions& motions);
+
+// Each family adds what can matter to the observations, the departing ones first.
+// A reading switched; units, diameter, offsets, parameters and the like of the machine.
+void add_machine_variants(const Observation& departure, Variants& out);
+// A word negated, doubled, halved, in other units, ignored, exchanged with another.
+void add_word_variants(const Observation& departure, Variants& out);
+// A code taken for another one, ignored; words that stay in force too long or not long enough.
+void add_code_variants(const Observation& departure, Variants& out);
+void add_modal_variants(const Observation& departure, Variants& out);
+// What came out turned round, mirrored, in other units, under other block numbers, at another
+// speed.
+void add_record_variants(const Observation& departure, Variants& out);
+// A rule that is not checked.
+void add_alarm_variants(const Observation& departure, Variants& out);
+// A motion that a clause asks for of another kind, or left out.
+void add_clause_variants(const Observation& departure, Variants& out);
+// Coordinates rounded; motions left out; sums in binary floating point.
+void add_model_variants(const Observation& departure, Variants& out);
+
+}  // namespace gonogo::identify

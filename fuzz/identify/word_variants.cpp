@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Mistakes in reading a word: its sign, its unit, diameter for radius, one too many, not at all.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "fuzz/identify/variant.hpp"
+
+namespace gonogo::identify {
+
+using reference::Number;
+using reference::Plane;
+using reference::Role;
+
+namespace {
+
+// Words that are read alike, and where.
+struct Scope {
+  std::set<std::string> addresses;
+  Motions motions = {};             // empty: under every code
+  std::optional<Plane> plane = {};  // nothing: in every plane
+
+  bool has(const TextBlock& block, const TextWord& word) const {
+    return addresses.contains(name_of(word)) &&
+           (motions.empty() || motions.contains(block.modes.code_name())) &&
+           (!plane || block.modes.plane == *plane);
+  }
+  std::string name() const {
+    std::string text;
+    for (const std::string& address : addresses) {
+      text += fmt::format("{}{}", text.empty() ? "" : " ", address);
+    }
+    if (!motions.empty()) text += " of " + names_of(motions);
+    if (plane) text += fmt::format(" in G{}", plane_code(*plane));
+    return text;
+  }
+};
+
+bool everywhere(const TextBlock&) {
+  return true;
+}
+
+// What becomes of the value; nothing: the word stays as it is.
+struct Operation {
+  std::string_view name;
+  std::function<std::optional<Number>(const Number&)> value;
+  bool (*where)(const TextBlock& block) = everywhere;
+  std::string_view opposite = {};  // its name
+};
+
+bool under_inches(const TextBlock& block) {
+  return block.modes.inch;
+}
+
+bool where_x_is_a_radius(const TextBlock& block) {
+  return block.modes.x_radius;
+}
+
+Number half_up(const Number& value, int places) {
+  return Number::parse(value.decimal_text(places)).value();
+}
+
+const std::vector<Operation>& operations() {
+  using Value = std::optional<Number>;
+  static const std::vector<Operation> kOperations = {
+      {"is taken with the other sign", [](const Number& v) -> Value { return -v; }},
+      {"is taken without its sign", [](const Number& v) -> Value { return abs(v); }},
+      {"is halved, a diameter for a radius", [](const Number& v) -> Value { return v / 2; },
+       everywhere, "is doubled, a radius for a diameter"},
+      {"is doubled, a radius for a diameter", [](const Number& v) -> Value { return v * 2; }},
+      {"is not converted from inches", [](const Number& v) -> Value { return v * 5 / 127; },
+       under_inches, "is converted from inches"},
+      {"is converted from inches", [](const Number& v) -> Value { return v * 127 / 5; },
+       under_inches},
+      {"is taken as millimetres, not inches", [](const Number& v) -> Value { return v * 5 / 127; }},
+      {"has no effect, as if it were without limit",
+       [](const Number& v) -> Value { return v * 1'000'000; }},
+      {"is halved where X is a radius", [](const Number& v) -> Value { return v / 2; },
+       where_x_is_a_radius},
+      {"is 1000 times too large, milli for one", [](const Number& v) -> Value { return v * 1000; },
+       everywhere, "is 1000 times too small, one for milli"},
+      {"is 1000 times too small, one for milli", [](const Number& v) -> Value { return v / 1000; }},
+      {"counts one too many", [](const Number& v) -> Value { return v + 1; }, everywhere,
+       "counts one too few"},
+      {"counts one too few", [](const Number& v) -> Value { return v - 1; }},
+      {"loses its decimals",
+       [](const Number& v) -> Value { return v.sign() < 0 ? v.ceil() : v.floor(); }},
+      {"is rounded to hundredths", [](const Number& v) -> Value { return half_up(v, 2); }},
+      {"is 1 % too large", [](const Number& v) -> Value { return v * 101 / 100; }},
+  };
+  return kOperations;
+}
+
+void add_edit(std::string name, program::WordEdit edit, Variants& out) {
+  out.push_back({std::move(name),
+                 [edit = std::move(edit)](const Observation& seen) -> std::optional<ChangedRun> {
+                   auto text = edited(ProgramText(seen.profile, seen.program), edit);
+                   if (!text) return std::nullopt;
+                   return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
+                 }});
+}
+
+void add_operations(const Scope& scope, Variants& out) {
+  // The simplest goes first: what is ignored may be too small to matter as well.
+  add_edit(
+      fmt::format("{} is ignored", scope.name()),
+      [scope](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
+        if (!scope.has(block, word)) return std::nullopt;
+        return "";
+      },
+      out);
+  for (const Operation& operation : operations()) {
+    add_edit(
+        fmt::format("{} {}", scope.name(), operation.name),
+        [scope, &operation](const TextBlock& block,
+                            const TextWord& word) -> std::optional<std::string> {
+          if (!scope.has(block, word) || !operation.where(block)) return std::nullopt;
+          const auto written = exact_value_of(word);
+          const auto value = written ? operation.value(*written) : std::nullopt;
+          if (!value) return std::nullopt;
+          return with_value(word, *value);
+        },
+        out);
+    if (!operation.opposite.empty()) {
+      out.back().opposite = fmt::format("{} {}", scope.name(), operation.opposite);
+    }
+  }
+  add_edit(
+      fmt::format("{} is ignored but under G91", scope.name()),
+      [scope](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
+        if (block.modes.incremental || !scope.has(block, word)) return std::nullopt;
+        return "";
+      },
+      out);
+}
+
+// The word under another address, in the same form.
+std::string renamed(const TextWord& word, const std::string& address) {
+  return address + word.text.substr(name_of(word).size());
+}
+
+// Where they are what they are said to be: K is a centre beside an arc, and a lead beside a thread.
+// No role: anywhere.
+void add_exchange(const std::string& a, const std::string& b, std::optional<Plane> plane,
+                  std::optional<Role> role, const reference::Descriptor& table, Variants& out) {
+  const Scope scope{{a, b}, {}, plane};
+  add_edit(
+      fmt::format("{} and {} change places{}", a, b,
+                  plane ? fmt::format(" in G{}", plane_code(*plane)) : ""),
+      [=, &table](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
+        if (!scope.has(block, word)) return std::nullopt;
+        const reference::CodeWord* const known = block.role_of(word, table);
+        if (role && known != nullptr && known->role != *role) return std::nullopt;
+        return renamed(word, name_of(word) == a ? b : a);
+      },
+      out);
+}
+
+using Addresses = std::set<std::string>;
+
+// Addresses that stand in the program, except codes, spindle and tool.
+Addresses addresses_of(const ProgramText& program) {
+  Addresses addresses;
+  for (const TextBlock& block : program.blocks) {
+    for (const TextWord& word : block.words) {
+      if (!is_word(word) || !block.code_of(word).empty()) continue;
+      const reference::CodeWord* const role = block.role_of(word, *program.table);
+      const bool moves_nothing =
+          role != nullptr && (role->role == Role::speed || role->role == Role::number);
+      if (!moves_nothing) addresses.insert(name_of(word));
+    }
+  }
+  return addresses;
+}
+
+// What a cycle's own words are called where it is called by its name.
+bool is_parameter_of_cycle(const reference::Descriptor& table, const std::string& name) {
+  return is_parameter(name) && std::ranges::any_of(table.codes, [&](const reference::Code& code) {
+           return code.kind == reference::Kind::cycle && code.find(name) != nullptr;
+         });
+}
+
+void add_exchanges(const reference::Descriptor& table, const Addresses& addresses, Plane plane,
+                   Variants& out) {
+  const auto add_pair = [&](const std::string& a, const std::string& b, std::optional<Role> role) {
+    add_exchange(a, b, std::nullopt, role, table, out);
+    add_exchange(a, b, plane, role, table, out);
+  };
+  for (const Role role : {Role::place, Role::centre}) {
+    const Addresses kin = addresses_with(table, {role});
+    for (const std::string& a : kin) {
+      for (const std::string& b : kin) {
+        if (a < b && (addresses.contains(a) || addresses.contains(b))) add_pair(a, b, role);
+      }
+    }
+  }
+  for (const std::string& a : addresses) {
+    for (const std::string& b : addresses) {
+      if (a < b && is_parameter_of_cycle(table, a) && is_parameter_of_cycle(table, b)) {
+        add_pair(a, b, std::nullopt);
+      }
+    }
+  }
+}
+
+// X=AC(10) read as X=10, as the mode in force says; or as the other of the two.
+void add_brackets(Variants& out) {
+  for (const std::string_view name : {"AC", "IC"}) {
+    for (const std::string_view instead : {"", "AC", "IC"}) {
+      if (name == instead) continue;
+      add_edit(
+          instead.empty() ? fmt::format("{} is ignored", name)
+                          : fmt::format("{} does what {} does", name, instead),
+          [=](const TextBlock&, const TextWord& word) -> std::optional<std::string> {
+            std::string text = word.text;
+            const std::size_t at = text.find(fmt::format("{}(", name));
+            if (at == std::string::npos) return std::nullopt;
+            return text.replace(at, name.size(), instead);
+          },
+          out);
+    }
+  }
+}
+
+// The axis across the plane of an arc does not move.
+void add_flat_arcs(Variants& out) {
+  add_edit(
+      "the third axis of an arc is ignored",
+      [](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
+        const char third = "XYZ"[index(axes_of(block.modes.plane).d)];
+        const bool is_third = name_of(word) == std::string(1, third);
+        if (!block.modes.is_of(reference::Kind::arc) || !is_third) return std::nullopt;
+        return "";
+      },
+      out);
+}
+
+}  // namespace
+
+void add_word_variants(const Observation& departure, Variants& out) {
+  const ProgramText program(departure.profile, departure.program);
+  const reference::Descriptor& table = *program.table;
+  const Addresses addresses = addresses_of(program);
+  const std::size_t line = departure.verdict.block;
+  const bool known = line > 0 && line <= program.blocks.size();
+  const Plane plane = known ? program.blocks[line - 1].modes.plane : Plane::g17;
+  std::vector<Addresses> sets;
+  for (const std::string& address : addresses) sets.push_back({address});
+  for (const Addresses& kin : kin_addresses(table)) {
+    const auto present = std::ranges::count_if(
+        kin, [&](const std::string& address) { return addresses.contains(address); });
+    if (present > 1 && std::ranges::find(sets, kin) == sets.end()) sets.push_back(kin);
+  }
+  for (const Addresses& set : sets) {
+    add_operations({set}, out);
+    for (const Motions& motions : motions_concerned(departure)) {
+      add_operations({set, motions}, out);
+    }
+    add_operations({set, {}, plane}, out);
+  }
+  add_exchanges(table, addresses, plane, out);
+  add_flat_arcs(out);
+  if (departure.profile.dialect.starts_with("sinumerik")) add_brackets(out);
+}
+
+}  // namespace gonogo::identify

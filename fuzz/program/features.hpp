@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which features of its dialect a program needs.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "fuzz/program/modes.hpp"
+
+namespace gonogo::program {
+
+// Words of `gonogo spec --features`; "basic" always. Rather a feature too many than one
+// too few.
+std::set<std::string> features_needed(const ProgramText& program);
+// The same of one of its blocks.
+std::set<std::string> features_needed(const reference::Descriptor& table, const TextBlock& block);
+
+// Those of a case of the corpus: the stated ones, except cycles where the program has none of
+// them, and what any program may have beside.
+std::vector<std::string> features_of_case(const ProgramText& program,
+                                          const std::vector<std::string>& stated);
+
+}  // namespace gonogo::program

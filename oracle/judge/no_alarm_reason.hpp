@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Why the reference does not alarm where a subject does.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "oracle/records/subject_outcome.hpp"
+#include "oracle/steps/program_input.hpp"
+#include "reference/expander.hpp"
+
+namespace gonogo::oracle {
+
+// Where a subject alarms: in a block, or, where it has no line numbers, between the items of the
+// reference (from 1) that it stands at and that it leaves undone.
+struct AlarmPlace {
+  std::uint64_t block = 0;  // 0: not known
+  std::size_t at = 1;       // the item of the first step that is not done
+  bool is_begun = false;    // some of it is
+  std::size_t undone = std::numeric_limits<std::size_t>::max();  // the first that had to be
+};
+
+struct NoAlarmReason {
+  // The clause under which the program is right there: the rule that no text states, whose other
+  // answer the alarm is; else that of the first record of the block; else that a block can be read.
+  reference::ClauseId clause = reference::kNoClause;
+  // R7: how the alarm relates to such a rule.
+  enum class Answer { none, other, late } answer = Answer::none;
+};
+
+// Runs the reference again, up to that place.
+NoAlarmReason reason_for_no_alarm(const reference::Profile& profile, const ProgramText& program,
+                                  const AlarmPlace& place, std::string_view alarm_class);
+
+// R7: whether the program alarms so in a later block, once the text of `block` is taken out
+// of it: a control that runs on over that block comes to this alarm.
+bool alarms_without_block(const reference::Profile& profile, const ProgramText& program,
+                          std::uint64_t block, const SubjectAlarm& alarm);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which turns of an arc record rounding leaves open (J-PATH-06), and arcs that are
+// no more than their chords (R3).
+#pragma once
+
+#include <array>
+
+#include "oracle/motion/motion.hpp"
+#include "oracle/motion/tolerances.hpp"
+#include "oracle/region/level.hpp"
+
+namespace gonogo::oracle {
+
+// How far a number of the arc may lie from the one that was meant, as its subject declares them; 0:
+// they are exact.
+Number rounding_of(const Motion& arc, const Tolerances& terms);
+
+// The same of arcs in a pocket that lies within `reach` of a centre.
+region::OpenTurns open_turns(const std::array<Number, 2>& centre, const Number& reach,
+                             const Tolerances& terms);
+
+// Whether both ends may lie on one ray from the centre, each number being that far off: then what
+// the arc turns beside other whole turns may be meant as nil or as a whole turn.
+bool may_be_nil_or_whole(const Motion& arc, const Number& rounding);
+
+// Whether an end may be the centre and so shows no direction.
+bool may_end_on_its_centre(const Motion& arc, const Number& rounding);
+
+// Whether all points of an arc lie within the tolerance of its chord in its plane: it turns by half
+// a turn at most.
+bool is_flat_arc(const Motion& arc, const Number& tolerance);
+// The point half way along an arc of at most half a turn.
+Position middle_of_arc(const Motion& arc);
+
+}  // namespace gonogo::oracle

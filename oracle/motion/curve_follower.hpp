@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Motions of the subject along one curve: all that they may be together.
+#pragma once
+
+#include "oracle/motion/curve.hpp"
+
+namespace gonogo::oracle {
+
+struct MatchResult {
+  Departure departure = Departure::none;
+  bool done = false;                // the curve is complete
+  std::string reason;               // a sentence when it departs
+  GapReason gap = GapReason::none;  // of an undecided one
+
+  static MatchResult undecided(GapReason gap, std::string reason) {
+    return {Departure::undecided, false, std::move(reason), gap};
+  }
+};
+
+class CurveFollower {
+ public:
+  // `terms` must outlive it.
+  CurveFollower(const Motion& reference, const Tolerances& terms,
+                std::optional<OpenArc> open = std::nullopt)
+      : curve_(reference, terms, std::move(open)), terms_(terms) {}
+  CurveFollower(const CurveFollower&) = delete;
+  // Tries the next motion of the subject; on a departure nothing is changed.
+  MatchResult match(const Motion& subject);
+  const Motion& motion() const { return curve_.motion(); }
+
+ private:
+  Curve curve_;
+  const Tolerances& terms_;
+  std::vector<CurveProgress> reached_{1};
+};
+
+// Whether two ways along a curve that have come as far as these go on alike: R2.
+bool goes_on_alike(const CurveProgress& one, const CurveProgress& other);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// R3. The numbers of a record beside its places: feed, lead, start angle, dwell. What an
+// enclosure leaves open is undecided only where its width decides: then they throw
+// exact::Undecided.
+#pragma once
+
+#include <optional>
+
+#include "oracle/motion/motion.hpp"
+#include "oracle/motion/tolerances.hpp"
+
+namespace gonogo::oracle {
+
+// Whether a number of the subject's is the exact one, or as far off as rounding makes it.
+// `resolution`: what is declared of such numbers.
+bool stands_for(const Number& got, const Number& exact, const std::optional<Number>& resolution,
+                const Tolerances& terms);
+
+// Compares two cutting motions.
+bool feeds_agree(const Record& want, const Record& got, const Tolerances& terms);
+bool feeds_agree(const Number& want, reference::FeedMode mode, const Record& got,
+                 const Tolerances& terms);
+// Compares two threads; angles a whole turn apart are the same.
+bool leads_agree(const Record& want, const Record& got, const Tolerances& terms);
+bool start_angles_agree(const Record& want, const Record& got, const Tolerances& terms);
+// Compares two dwells.
+bool times_agree(const Record& want, const Record& got, const Tolerances& terms);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/motion/open_start.hpp"
+
+#include "oracle/region/constants.hpp"
+#include "reference/geometry/intersections.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using geometry::ORIGIN;
+using geometry::Point_2;
+using geometry::Segment_2;
+
+Point_2 start_at(const PlaneVector& v) {
+  return {v.p, v.q};
+}
+
+// The part of the polygon where normal . v <= limit. CGAL's kernel clips no polygon.
+std::vector<PlaneVector> cut(const std::vector<PlaneVector>& polygon, const PlaneVector& normal,
+                             const Number& limit) {
+  std::vector<PlaneVector> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const PlaneVector& here = polygon[i];
+    const PlaneVector& next = polygon[(i + 1) % polygon.size()];
+    const Number beyond_here = dot(normal, here) - limit;
+    const Number beyond_next = dot(normal, next) - limit;
+    const int side_here = beyond_here.sign();
+    const int side_next = beyond_next.sign();
+    if (side_here <= 0) kept.push_back(here);
+    if (side_here * side_next < 0) {
+      const Number part = beyond_here / (beyond_here - beyond_next);
+      kept.push_back({here.p + part * (next.p - here.p), here.q + part * (next.q - here.q)});
+    }
+  }
+  return kept;
+}
+
+// A rational near a value, and how far from it the value may lie: nothing for a rational.
+struct Near {
+  explicit Near(const Number& exact) {
+    const auto [low, high] = exact.bounds(kRationalBits);
+    value = low;
+    error = high - low;
+  }
+  Number value;
+  Number error;
+};
+
+// Where row_p . v and row_q . v agree with the point within the tolerance.
+std::vector<PlaneVector> cut_to_box(std::vector<PlaneVector> polygon, const PlaneVector& row_p,
+                                    const PlaneVector& row_q, const PlaneVector& point,
+                                    const Number& tolerance) {
+  auto opposite = [](const PlaneVector& v) { return PlaneVector{-v.p, -v.q}; };
+  polygon = cut(polygon, row_p, point.p + tolerance);
+  polygon = cut(polygon, opposite(row_p), tolerance - point.p);
+  polygon = cut(polygon, row_q, point.q + tolerance);
+  return cut(polygon, opposite(row_q), tolerance - point.q);
+}
+
+}  // namespace
+
+PlaneVector apply(const Similarity& map, const PlaneVector& v) {
+  return {map.a * v.p - map.b * v.q, map.b * v.p + map.a * v.q};
+}
+
+Similarity turn_by(const Number& degrees) {
+  const auto [cosine, sine] = exact::cos_sin_degrees(degrees);
+  return {cosine, sine};
+}
+
+OpenStart::OpenStart(Number radius, Number tolerance)
+    : radius_(std::move(radius)), tolerance_(std::move(tolerance)) {
+  left_.sure = {{-radius_, -radius_}, {radius_, -radius_}, {radius_, radius_}, {-radius_, radius_}};
+  left_.possible = left_.sure;
+}
+
+// Each side of the box round the point, as a half plane of the start. Rationals in place of
+// enclosures move a side by no more than `moved`, since no start lies farther out than the square
+// round the circle.
+OpenStart::Starts OpenStart::narrowed(const Similarity& map, const PlaneVector& point) const {
+  const Near a(map.a), b(map.b), p(point.p), q(point.q);
+  const PlaneVector row_p{a.value, -b.value};
+  const PlaneVector row_q{b.value, a.value};
+  const PlaneVector at{p.value, q.value};
+  const Number moved = radius_ * (a.error + b.error) + max(p.error, q.error);
+  Starts starts;
+  starts.possible = cut_to_box(left_.possible, row_p, row_q, at, tolerance_ + moved);
+  starts.sure = moved.sign() == 0 && left_.is_certain
+                    ? starts.possible
+                    : cut_to_box(left_.sure, row_p, row_q, at, tolerance_ - moved);
+  starts.is_certain = moved.sign() == 0 && left_.is_certain;
+  return starts;
+}
+
+// A convex region meets the circle when its nearest point is not outside and its farthest not
+// inside.
+bool OpenStart::meets_circle(const Polygon& polygon) const {
+  const Number radius_2 = radius_ * radius_;
+  const Point_2 middle = ORIGIN;
+  bool reaches_out = false;
+  bool reaches_in = false;
+  bool holds_origin = polygon.size() > 2;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point_2 here = start_at(polygon[i]);
+    const Segment_2 side(here, start_at(polygon[(i + 1) % polygon.size()]));
+    reaches_out = reaches_out || CGAL::squared_distance(middle, here) >= radius_2;
+    reaches_in = reaches_in || CGAL::squared_distance(middle, side) <= radius_2;
+    holds_origin =
+        holds_origin && CGAL::orientation(middle, here, side.target()) == CGAL::LEFT_TURN;
+  }
+  return reaches_out && (reaches_in || holds_origin);
+}
+
+bool OpenStart::meet_circle(const Starts& starts) const {
+  if (meets_circle(starts.sure)) return true;
+  if (starts.is_certain || !meets_circle(starts.possible)) return false;
+  throw exact::Undecided("whether a point agrees with the curve hangs on an enclosure's width");
+}
+
+bool OpenStart::admits(const Similarity& map, const PlaneVector& point) const {
+  return meet_circle(narrowed(map, point));
+}
+
+bool OpenStart::narrow(const Similarity& map, const PlaneVector& point) {
+  Starts starts = narrowed(map, point);
+  if (!meet_circle(starts)) return false;
+  left_ = std::move(starts);
+  return true;
+}
+
+}  // namespace gonogo::oracle

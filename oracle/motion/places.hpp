@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// R2, R3. Whether two places are one, and whether a motion is negligible.
+#pragma once
+
+#include "oracle/motion/motion.hpp"
+#include "oracle/motion/tolerances.hpp"
+
+namespace gonogo::oracle {
+
+// Whether two points are one place. A motion of exactly the tolerance is none; as the difference of
+// two doubles it comes out longer or shorter by their rounding, so that much more is no difference
+// for a subject that computes in doubles, on either side.
+bool same_place(const Position& a, const Position& b, const Tolerances& terms);
+
+// Whether the motion starts and ends at this place, and does not go round in between.
+bool stays_at(const Position& place, const Motion& motion, const Tolerances& terms);
+
+}  // namespace gonogo::oracle

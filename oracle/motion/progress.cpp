@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/motion/progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "oracle/region/constants.hpp"
+
+namespace gonogo::oracle {
+
+using reference::Axis;
+
+namespace {
+
+// A hash of places as estimates: one that is taken for another costs a record of the budget, or a
+// time that a motion is made, no more.
+class PlaceHash {
+ public:
+  explicit PlaceHash(double width) : width_(width) {}
+
+  PlaceHash& add(double coordinate) {
+    const std::uint64_t prime = 0x100000001B3;  // of the hash FNV-1a
+    const auto cell = static_cast<std::int64_t>(std::floor(coordinate / width_));
+    key_ = (key_ ^ static_cast<std::uint64_t>(cell)) * prime;
+    key_ ^= key_ >> 29U;
+    return *this;
+  }
+  PlaceHash& add(const Position& at) {
+    for (const Axis axis : reference::kAllAxes) add(estimate(at[axis]));
+    return *this;
+  }
+  std::uint64_t key() const { return key_; }
+
+ private:
+  double width_;
+  std::uint64_t key_ = 0;
+};
+
+// The ring of an arc in its plane, and the turns that it makes.
+struct Ring {
+  double radius;
+  double growth;  // of the radius, from the start to the end
+  double turns;
+};
+
+Ring ring_of(const Motion& arc) {
+  const PlaneVector start = from_centre(arc.record, arc.from);
+  const PlaneVector end = from_centre(arc.record, arc.to());
+  const double sp = estimate(start.p), sq = estimate(start.q);
+  const double ep = estimate(end.p), eq = estimate(end.q);
+  double part = std::atan2(sp * eq - sq * ep, sp * ep + sq * eq) / (2 * std::numbers::pi);
+  if (arc.record.rot < 0) part = -part;
+  if (part <= 0) part += 1;
+  const double whole = std::max(std::fabs(static_cast<double>(arc.record.rot)) - 1, 0.0);
+  const double from = std::hypot(sp, sq), to = std::hypot(ep, eq);
+  return {(from + to) / 2, std::fabs(to - from), whole + part};
+}
+
+}  // namespace
+
+bool comes_nearer(const Motion& motion, const Position& due, const Number& tolerance) {
+  bool nearer = false;
+  for (const Axis axis : reference::kAllAxes) {
+    const Number before = exact::abs(due[axis] - motion.from[axis]);
+    const Number after = exact::abs(due[axis] - motion.to()[axis]);
+    if (after > before + tolerance) return false;
+    nearer = nearer || after + tolerance < before;
+  }
+  return nearer;
+}
+
+bool ends_in_pocket(const Motion& motion, const reference::PocketLevel& level) {
+  const reference::PlaneAxes axes = reference::axes_of(level.plane);
+  return exact::abs(motion.to()[axes.p] - level.centre[0]) <= level.pocket_radius &&
+         exact::abs(motion.to()[axes.q] - level.centre[1]) <= level.pocket_radius;
+}
+
+bool VisitedPlaces::is_new(std::size_t step, const Position& at, const Number& tolerance) {
+  if (step != step_) {
+    step_ = step;
+    places_.clear();
+  }
+  if (places_.size() >= kMostPlaces) return false;
+  return places_.insert(PlaceHash(kNoDirection * estimate(tolerance)).add(at).key()).second;
+}
+
+Number ring_width(const Number& step, const Number& tolerance) {
+  return max(tolerance, step / kRingsOfStep);
+}
+
+MilledAgain::MilledAgain(const Number& width) : width_(estimate(width)) {}
+
+bool MilledAgain::allows(const Motion& cut) {
+  PlaceHash motion = PlaceHash(width_).add(cut.from).add(cut.to());
+  bool is_seen = PlaceHash(width_).add(cut.from).key() != PlaceHash(width_).add(cut.to()).key();
+  if (cut.record.kind == RecordKind::arc) {
+    const double p = estimate(cut.record.centre[0]), q = estimate(cut.record.centre[1]);
+    const Ring ring = ring_of(cut);
+    // Turns of a spiral that lie within the width of one ring.
+    const double turns = ring.turns * width_ / std::max(ring.growth, width_);
+    double& all = times_[PlaceHash(width_).add(p).add(q).add(ring.radius).key()];
+    all += turns;
+    if (all > static_cast<double>(kMostTimes) + kEstimate) return false;
+    motion.add(p).add(q);
+    is_seen = is_seen || ring.turns > 0.5;
+  }
+  return !is_seen || ++times_[motion.key()] <= static_cast<double>(kMostTimes);
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A helix that may begin anywhere on its circle. Where tangential motions run into it, its
+// beginning shows only later on: every point where it may have begun is followed until it is ruled
+// out.
+#pragma once
+
+#include <list>
+#include <optional>
+
+#include "oracle/motion/curve_follower.hpp"
+#include "oracle/region/constants.hpp"
+
+namespace gonogo::oracle {
+
+// What is fixed of a helix.
+struct HelixShape {
+  std::uint64_t block = 0;
+  reference::ClauseId clause = reference::kNoClause;
+  reference::Plane plane = reference::Plane::g18;
+  std::array<Number, 2> centre;  // along p and q
+  Number radius;
+  Number top;     // coordinate of d where it begins
+  Number bottom;  // and where it ends
+  Number turns;   // above 0
+  int sense = -1;
+  Number feed;
+  reference::FeedMode feed_mode = reference::FeedMode::per_minute;
+  Similarity to_end;  // from its start to its end: the part of a turn
+
+  PlaneVector from_axis(const Position& at) const;
+};
+
+// One place where the helix may have begun.
+class OpenHelix {
+ public:
+  // `starts`: those that agree with where the subject stands, `at`. `terms` must outlive it.
+  OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at, const Tolerances& terms);
+  OpenHelix(const OpenHelix&) = delete;
+  MatchResult match(const Motion& motion);
+  const OpenStart& starts() const { return starts_; }
+  OpenStart& starts() { return starts_; }
+  const Motion& want() const { return want_; }
+
+ private:
+  PlaneVector origin_;
+  OpenStart starts_;
+  Motion want_;
+  Similarity to_end_;
+  CurveFollower match_;
+};
+
+// All places where it may have begun.
+class OpenHelices {
+ public:
+  // Follows a motion along each of them; those that it departs from are dropped. `done`: one of
+  // them is complete, see `take_done`. A departure: that of the last one dropped, none is left.
+  MatchResult match(const Motion& motion);
+  // False: there are too many to be followed.
+  [[nodiscard]] bool add(const HelixShape& shape, OpenStart starts, const Position& at,
+                         const Tolerances& terms);
+  bool empty() const { return open_.empty(); }
+  // The complete one.
+  std::list<OpenHelix> take_done() { return std::move(done_); }
+
+ private:
+  std::list<OpenHelix> open_;
+  std::list<OpenHelix> done_;
+  std::optional<MatchResult> undecided_;  // of one that was dropped
+};
+
+// Whether a motion may be the first piece of the helix, by kind, plane, centre and sense, where it
+// starts at the top; then the starts that agree with that.
+std::optional<OpenStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
+                                         const Tolerances& terms);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/open/open_step.hpp"
+
+#include <algorithm>
+
+#include "oracle/steps/step_text.hpp"
+
+namespace gonogo::oracle {
+
+using reference::kAllAxes;
+
+bool turns_rotary_axis(const Motion& motion, const Number& tolerance) {
+  return turns_rotary_axis(motion.from, motion.to(), tolerance);
+}
+
+bool turns_rotary_axis(const Position& from, const Position& to, const Number& tolerance) {
+  return std::ranges::any_of(kAllAxes, [&](Axis axis) {
+    return !reference::is_linear(axis) && !agree(from[axis], to[axis], tolerance);
+  });
+}
+
+Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
+                       std::string want, std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.clause = clause;
+  verdict.block = motion.record.block;
+  verdict.record = motion.number;
+  verdict.want = std::move(want);
+  verdict.got = record_text(motion.record);
+  verdict.message = std::move(message);
+  if (kind == VerdictKind::fail_feed) {
+    verdict.word = 'F';
+  } else {
+    verdict.witness = point_text(motion.to(), {Axis::x, Axis::y, Axis::z});
+  }
+  return verdict;
+}
+
+Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
+                      std::string want, const Position& at, std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.clause = clause;
+  verdict.block = block;
+  verdict.want = std::move(want);
+  verdict.witness = point_text(at, {Axis::x, Axis::y, Axis::z});
+  verdict.message = std::move(message);
+  return verdict;
+}
+
+void add_finding(Verdict& verdict, const region::Finding& finding,
+                 std::span<const region::LevelMotion> cuts, std::span<const Record> records) {
+  verdict.record = finding.record;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    if (finding.record == cuts[i].record) verdict.got = record_text(records[i]);
+  }
+  set_deviation(verdict, finding.deviation);
+}
+
+void set_deviation(Verdict& verdict, const Number& deviation) {
+  if (deviation.sign() == 0) return;
+  verdict.deviation_exact = exact_text(deviation);
+  verdict.deviation_mm = millimetres_text(deviation);
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A step of the reference whose path the manual leaves open (a thread, a helical pocket, a level of
+// a pocket, a pocket of LCYC75): it holds the clauses of its cycle, and the path judge knows none.
+// Motions of the subject come in one at a time until the path is over.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "oracle/motion/motion.hpp"
+#include "oracle/motion/tolerances.hpp"
+#include "oracle/records/verdict.hpp"
+#include "oracle/region/level.hpp"
+#include "oracle/steps/reference_steps.hpp"
+
+namespace gonogo::oracle {
+
+struct OpenStepAnswer {
+  enum class Kind {
+    taken,   // the motion belongs to the path
+    ended,   // the path is over at `here`, which lies on the motion; the rest of it comes after
+    decided  // `verdict`
+  } kind = Kind::taken;
+  Position here;
+  Verdict verdict;
+  // How a motion that is taken counts for the budget of records (J-CYC-02).
+  enum class Cost { counts, free, level_cut } cost = Cost::counts;
+
+  static OpenStepAnswer take(Cost cost = Cost::counts) { return {Kind::taken, {}, {}, cost}; }
+  static OpenStepAnswer end(const Position& here) { return {Kind::ended, here, {}}; }
+  static OpenStepAnswer decide(Verdict verdict) { return {Kind::decided, {}, std::move(verdict)}; }
+  static OpenStepAnswer gap(GapReason reason, std::string message) {
+    return decide(gap_verdict(reason, std::move(message)));
+  }
+  bool is_decided() const { return kind == Kind::decided; }
+};
+
+class OpenStep {
+ public:
+  OpenStep() = default;
+  OpenStep(const OpenStep&) = delete;
+  virtual ~OpenStep() = default;
+
+  virtual OpenStepAnswer take(const Motion& motion) = 0;
+  // The path ends where the subject stands: nothing if it may, else why not.
+  virtual std::optional<Verdict> end(const Position& here) = 0;
+
+  // Where the reference goes on after a path that has ended `here`.
+  struct Exit {
+    Position at;
+    bool moves_machine = false;  // blocks that follow start there, too
+  };
+  virtual Exit exit(const Position& here) const = 0;
+
+  // For a negligible motion: whether it comes before the path and is no part of it.
+  virtual bool is_before(const Motion& /*motion*/) const { return false; }
+  // For a motion too small to see: whether it belongs to the path all the same.
+  virtual bool sees(const Motion& /*small*/) const { return false; }
+  // For such a motion: whether the path may be over where it starts, and it comes behind.
+  virtual bool may_be_left_by(const Motion& /*small*/) const { return false; }
+  // Whether the motion that leads to the path may go on into it, as `rest`.
+  virtual bool may_begin_within(const Motion& /*rest*/) const { return false; }
+  // Whether what has been put out of it is judged as a whole where it is left, and not only in the
+  // end; at an alarm, where there is something to judge.
+  virtual bool is_judged_when_left() const { return false; }
+  virtual bool is_judged_at_alarm(const Position& /*here*/) const { return false; }
+};
+
+// What holds for a whole program.
+class OpenStepMemory;
+
+// The judge of a step, from where the reference stands before it. Null for a step that is not open.
+// All that is given must outlive it.
+std::unique_ptr<OpenStep> make_open_step(const ReferenceSteps::Step& step, const Tolerances& terms,
+                                         OpenStepMemory& memory);
+
+bool is_open_step(const ReferenceStep& step);
+
+// Whether the motion cuts: then it must carry the feed of its cycle.
+constexpr bool is_cut(RecordKind kind) {
+  return kind == RecordKind::feed || kind == RecordKind::arc;
+}
+// Whether a rotary axis moves; from one place to another, which pieces of motions lie between.
+bool turns_rotary_axis(const Motion& motion, const Number& tolerance);
+bool turns_rotary_axis(const Position& from, const Position& to, const Number& tolerance);
+
+// A NO-GO with what both sides say; the witness is where the motion ends.
+Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
+                       std::string want, std::string message);
+
+// One of what was put out so far: it shows at a place.
+Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
+                      std::string want, const Position& at, std::string message);
+// Which cut of a level breaks a rule, and by how much; `records` are those of the cuts.
+void add_finding(Verdict& verdict, const region::Finding& finding,
+                 std::span<const region::LevelMotion> cuts, std::span<const Record> records);
+
+// How far apart two numbers are, as the evidence of a verdict.
+void set_deviation(Verdict& verdict, const Number& deviation);
+
+}  // namespace gonogo::oracle

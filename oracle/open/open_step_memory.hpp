@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the free steps of one program know of each other.
+#pragma once
+
+#include <optional>
+
+#include "oracle/open/pocket_level_step.hpp"
+#include "oracle/open/thread_run_out.hpp"
+
+namespace gonogo::oracle {
+
+class OpenStepMemory {
+ public:
+  RunOutSet run_outs;                // that explain the threads so far
+  std::optional<JudgedLevel> level;  // the last one that was judged GO
+};
+
+}  // namespace gonogo::oracle

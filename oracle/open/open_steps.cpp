@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which judge a free step has. A cycle whose path is open comes in here.
+#include "oracle/open/helix_pocket_judge.hpp"
+#include "oracle/open/open_step_memory.hpp"
+#include "oracle/open/pocket_milling_judge.hpp"
+#include "oracle/open/thread_step.hpp"
+
+namespace gonogo::oracle {
+
+bool is_open_step(const ReferenceStep& step) {
+  return std::holds_alternative<reference::PocketLevel>(step) ||
+         std::holds_alternative<reference::HelixPocket>(step) ||
+         std::holds_alternative<reference::ThreadMilling>(step) ||
+         std::holds_alternative<reference::PocketMilling>(step);
+}
+
+std::unique_ptr<OpenStep> make_open_step(const ReferenceSteps::Step& step, const Tolerances& terms,
+                                         OpenStepMemory& memory) {
+  if (auto* level = std::get_if<reference::PocketLevel>(&step.what)) {
+    return std::make_unique<PocketLevelStep>(*level, step.place, terms, memory.level);
+  }
+  if (auto* pocket = std::get_if<reference::HelixPocket>(&step.what)) {
+    return std::make_unique<HelixPocketJudge>(*pocket, step.place, terms);
+  }
+  if (auto* thread = std::get_if<reference::ThreadMilling>(&step.what)) {
+    return std::make_unique<ThreadStep>(*thread, step.place, terms, memory.run_outs);
+  }
+  if (auto* pocket = std::get_if<reference::PocketMilling>(&step.what)) {
+    return std::make_unique<PocketMillingJudge>(*pocket, step.place, terms);
+  }
+  return nullptr;
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/open/pocket_level_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/motion/arc_turns.hpp"
+#include "oracle/steps/step_text.hpp"
+#include "oracle/region/constants.hpp"
+
+namespace gonogo::oracle {
+
+using reference::axes_of;
+using reference::PlaneAxes;
+using reference::PocketLevel;
+using reference::operator""_clause;
+
+namespace {
+
+region::PlanePoint plane_point(const Position& point, const PlaneAxes& axes) {
+  return {point[axes.p], point[axes.q]};
+}
+
+std::string_view sentence(region::Rule rule) {
+  switch (rule) {
+    case region::Rule::gouge:
+      return "The tool cuts into the wall of the pocket.";
+    case region::Rule::cover:
+      return "The tool leaves material in the pocket.";
+    case region::Rule::step:
+      return "The step between the tool's paths is too wide.";
+    case region::Rule::sense:
+      return "The level turns the wrong way round its middle.";
+    case region::Rule::order:
+      return "The tool cuts through solid material for more than the step.";
+  }
+  return "";
+}
+
+// Apart from depth and block.
+bool same_level(const PocketLevel& a, const PocketLevel& b) {
+  return a.plane == b.plane && a.centre == b.centre && a.pocket_radius == b.pocket_radius &&
+         a.tool_radius == b.tool_radius && a.step == b.step && a.sense == b.sense;
+}
+
+}  // namespace
+
+PocketLevelStep::PocketLevelStep(const PocketLevel& level, const Position& place,
+                                 const Tolerances& terms, std::optional<JudgedLevel>& last)
+    : level_(level),
+      axes_(axes_of(level.plane)),
+      place_(place),
+      terms_(terms),
+      last_(last),
+      again_(ring_width(level.step, terms.level_tolerance())) {}
+
+OpenStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion,
+                                        std::string message) const {
+  Verdict verdict =
+      departure_from(kind, level_.clause, motion, level_text(level_), std::move(message));
+  verdict.block = level_.block;
+  verdict.word = {};
+  verdict.witness = point_text(motion.to(), {Axis::x, Axis::y, Axis::z});
+  return OpenStepAnswer::decide(std::move(verdict));
+}
+
+// The traverse to where the pocket begins.
+bool PocketLevelStep::is_before(const Motion& motion) const {
+  return motions_.empty() && motion.record.kind == RecordKind::rapid &&
+         motion.to()[axes_.d] == motion.from[axes_.d];
+}
+
+// A traverse ends the level: at depth it is the retract's business, which may be too small to see.
+bool PocketLevelStep::collects(const Motion& motion) const {
+  const Record& record = motion.record;
+  const bool other_block = terms_.compare_blocks && record.block != level_.block;
+  if (other_block || !agree(motion.to()[axes_.d], motion.from[axes_.d], terms_.tolerance)) {
+    return false;
+  }
+  return record.kind == RecordKind::feed || record.kind == RecordKind::arc;
+}
+
+// The next infeed or retract, of levels that lie close together.
+bool PocketLevelStep::may_be_left_by(const Motion& small) const {
+  return small.record.kind != RecordKind::arc && small.to()[axes_.d] != small.from[axes_.d] &&
+         small.to()[axes_.p] == small.from[axes_.p] && small.to()[axes_.q] == small.from[axes_.q];
+}
+
+OpenStepAnswer PocketLevelStep::take(const Motion& motion) {
+  if (collects(motion)) return collect(motion);
+  if (std::optional<Verdict> fault = end(motion.from)) {
+    return OpenStepAnswer::decide(*std::move(fault));
+  }
+  return OpenStepAnswer::end(motion.from);
+}
+
+OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
+  const Record& record = motion.record;
+  if (motions_.empty()) plunge_ = motion.from;
+  if (!agree(motion.to()[axes_.d], level_.depth, terms_.tolerance)) {
+    return departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.");
+  }
+  if (turns_rotary_axis(motion, terms_.tolerance)) {
+    return departs(VerdictKind::fail_region, motion, "A rotary axis moves in a level.");
+  }
+  if (record.kind == RecordKind::arc && record.plane != level_.plane) {
+    return departs(VerdictKind::fail_region, motion, "The arc lies in another plane.");
+  }
+  if (!feeds_agree(level_.feed, level_.feed_mode, record, terms_)) {
+    return departs(VerdictKind::fail_feed, motion, "The feed of the level differs.");
+  }
+  if (!again_.allows(motion)) {
+    return departs(VerdictKind::fail_overrun, motion, std::string(kMilledTooOften));
+  }
+  region::LevelMotion part;
+  part.is_arc = record.kind == RecordKind::arc;
+  part.from = plane_point(motion.from, axes_);
+  part.to = plane_point(motion.to(), axes_);
+  part.centre = {record.centre[0], record.centre[1]};
+  part.rot = record.rot;
+  part.record = motion.number;
+  motions_.push_back(std::move(part));
+  records_.push_back(record);
+  if (motions_.size() > kMostMotions) {
+    return OpenStepAnswer::gap(
+        GapReason::cap_level,
+        fmt::format("A level of more than {} motions is not judged.", kMostMotions));
+  }
+  return OpenStepAnswer::take(OpenStepAnswer::Cost::level_cut);
+}
+
+region::CircularLevel PocketLevelStep::circle(const Position& plunge) const {
+  region::CircularLevel circle;
+  circle.centre = {level_.centre[0], level_.centre[1]};
+  circle.pocket_radius = level_.pocket_radius;
+  circle.tool_radius = level_.tool_radius;
+  circle.step = level_.step;
+  circle.sense = level_.sense;
+  circle.plunge = plane_point(plunge, axes_);
+  circle.tolerance = terms_.level_tolerance();
+  circle.chord = terms_.chord;
+  circle.open_turns = open_turns(level_.centre, level_.pocket_radius, terms_);
+  return circle;
+}
+
+Verdict PocketLevelStep::fault(const region::Finding& finding, const Position& here) const {
+  Position witness = here;
+  witness[axes_.p] = finding.witness.p;
+  witness[axes_.q] = finding.witness.q;
+  witness[axes_.d] = level_.depth;
+  const bool is_order = finding.rule == region::Rule::order;
+  Verdict verdict =
+      fault_of_step(VerdictKind::fail_region, is_order ? "GSK-CYC-02"_clause : level_.clause,
+                    level_.block, level_text(level_), witness, std::string(sentence(finding.rule)));
+  add_finding(verdict, finding, motions_, records_);
+  return verdict;
+}
+
+bool PocketLevelStep::is_known() const {
+  return last_ && same_level(last_->level, level_) && plunge_[axes_.p] == last_->plunge[axes_.p] &&
+         plunge_[axes_.q] == last_->plunge[axes_.q] &&
+         std::ranges::equal(motions_, last_->motions, region::same_cut);
+}
+
+// So small that it is cleared where the subject stands: no disc covers one that is wider than it by
+// more than the tolerance, before the region judge looks at anything else.
+bool PocketLevelStep::is_judged_at_alarm(const Position& here) const {
+  if (!motions_.empty()) return true;
+  const Number wider = level_.pocket_radius - level_.tool_radius;
+  if (wider > terms_.level_tolerance() * 2 + terms_.chord) return false;
+  return region::judge_level(circle(here), {}).kind == region::LevelVerdict::Kind::go;
+}
+
+std::optional<Verdict> PocketLevelStep::end(const Position& here) {
+  if (motions_.empty()) plunge_ = here;
+  // Levels no farther apart than the tolerance are one level, and this one is cleared.
+  const bool known = is_known();
+  const bool cleared = motions_.empty() && last_ && same_level(last_->level, level_) &&
+                       agree(last_->level.depth, level_.depth, terms_.tolerance);
+  if (known) last_->level.depth = level_.depth;
+  if (known || cleared) return std::nullopt;
+  const region::LevelVerdict answer = region::judge_level(circle(plunge_), motions_);
+  if (answer.kind == region::LevelVerdict::Kind::gap) {
+    return OpenStepAnswer::gap(answer.reason, answer.gap).verdict;
+  }
+  if (answer.kind == region::LevelVerdict::Kind::no_go) {
+    return fault(answer.finding.value(), here);
+  }
+  last_ = JudgedLevel{level_, motions_, plunge_};
+  return std::nullopt;
+}
+
+// At the level's exact depth.
+OpenStep::Exit PocketLevelStep::exit(const Position& /*here*/) const {
+  Position at = motions_.empty() ? plunge_ : place_;
+  if (!motions_.empty()) {
+    at[axes_.p] = motions_.back().to.p;
+    at[axes_.q] = motions_.back().to.q;
+  }
+  at[axes_.d] = level_.depth;
+  return {at};
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The judge of one level of a circular pocket (G110, G111): the motions between the plunge and the
+// next motion along the depth axis, which the region judge decides as a whole (J-PKT).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "oracle/open/open_step.hpp"
+#include "oracle/motion/progress.hpp"
+#include "oracle/region/level.hpp"
+#include "reference/outcome.hpp"
+
+namespace gonogo::oracle {
+
+// The last level that was judged GO: equal levels are judged once.
+struct JudgedLevel {
+  reference::PocketLevel level;
+  std::vector<region::LevelMotion> motions;
+  Position plunge;
+};
+
+class PocketLevelStep : public OpenStep {
+ public:
+  // All must outlive it. `place`: where the reference stands, at the plunge.
+  PocketLevelStep(const reference::PocketLevel& level, const Position& place,
+                  const Tolerances& terms, std::optional<JudgedLevel>& last);
+
+  OpenStepAnswer take(const Motion& motion) override;
+  std::optional<Verdict> end(const Position& here) override;
+  Exit exit(const Position& here) const override;
+  bool is_before(const Motion& motion) const override;
+  bool may_be_left_by(const Motion& small) const override;
+  bool is_judged_when_left() const override { return true; }
+  bool is_judged_at_alarm(const Position& here) const override;
+
+ private:
+  // Whether the motion belongs to the level; what departs is decided.
+  bool collects(const Motion& motion) const;
+  OpenStepAnswer collect(const Motion& motion);
+  OpenStepAnswer departs(VerdictKind kind, const Motion& motion, std::string message) const;
+  region::CircularLevel circle(const Position& plunge) const;
+  bool is_known() const;
+  Verdict fault(const region::Finding& finding, const Position& here) const;
+
+  const reference::PocketLevel& level_;
+  reference::PlaneAxes axes_;
+  Position place_;
+  const Tolerances& terms_;
+  std::optional<JudgedLevel>& last_;
+  Position plunge_;  // where the tool came down
+  std::vector<region::LevelMotion> motions_;
+  std::vector<Record> records_;  // the same, for the evidence
+  MilledAgain again_;
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/open/pocket_milling_judge.hpp"
+
+#include "oracle/motion/curve_follower.hpp"
+#include "oracle/steps/step_text.hpp"
+#include "oracle/region/constants.hpp"
+
+namespace gonogo::oracle {
+
+using reference::operator""_clause;
+
+namespace {
+
+region::RoundedRectangle area_of(const Number& length, const Number& width, const Number& corner) {
+  return region::rounded_rectangle(length / 2, width / 2, corner);
+}
+
+}  // namespace
+
+PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, const Position& place,
+                                       const Tolerances& terms)
+    : item_(item),
+      place_(place),
+      terms_(terms),
+      axes_(reference::axes_of(item.plane)),
+      area_(area_of(item.length, item.width, item.corner_radius)),
+      frame_(region::make_frame({item.centre[0], item.centre[1]}, item.direction[0],
+                                item.direction[1])),
+      slack_(region::slack_of(frame_, area_)),
+      reach_(region::eroded(area_, item.tool_radius).value()),
+      rough_reach_(reach_),
+      cleared_{item.clearance, item.clearance},
+      last_depth_(item.clearance),
+      lowest_(item.clearance),
+      depth_(item.clearance),
+      again_(ring_width(item.tool_radius, terms.level_tolerance())) {
+  // SIE-LC75-10: what a tool of this radius cleared in roughing; nothing where it does not fit.
+  const Number narrower = min(item.length, item.width) - item.allowance * 2;
+  if (!item.finishing || narrower < item.tool_radius * 2) return;
+  const Number twice = item.allowance * 2;
+  const Number corner = max(item.corner_radius - item.allowance, item.tool_radius);
+  rough_area_ = area_of(item.length - twice, item.width - twice, corner);
+  rough_reach_ = region::eroded(*rough_area_, item.tool_radius).value();
+  cleared_.rough = item.rough_floor;
+  if (item.contour_only) floor_cuts_.emplace(area_, item.tool_radius, rough_reach_);
+}
+
+Verdict PocketMillingJudge::incomplete(const Position& position) const {
+  if (floor_fault_ && !floor_done_) return *floor_fault_;
+  return fault_of_step(VerdictKind::fail_geometry,
+                       floor_done_ ? "SIE-LC75-13"_clause : item_.clause, item_.block,
+                       pocket_text(item_), position,
+                       floor_done_ ? "The cycle does not end above the centre at the retract plane."
+                                   : "The pocket is not milled to its floor.");
+}
+
+OpenStepAnswer PocketMillingJudge::departs(VerdictKind kind, reference::ClauseId clause,
+                                           const Motion& motion, std::string message) const {
+  Verdict verdict = departure_from(kind, clause, motion, pocket_text(item_), std::move(message));
+  verdict.block = item_.block;
+  return OpenStepAnswer::decide(std::move(verdict));
+}
+
+std::optional<Verdict> PocketMillingJudge::end(const Position& here) {
+  if (over_) return std::nullopt;
+  return incomplete(here);
+}
+
+// SIE-LC75-13
+OpenStep::Exit PocketMillingJudge::exit(const Position& /*here*/) const {
+  Position at = place_;
+  at[axes_.p] = item_.centre[0];
+  at[axes_.q] = item_.centre[1];
+  at[axes_.d] = item_.retract;
+  return {at};
+}
+
+// A traverse is no part of a level; only of a pocket as deep as the tolerance it may be the end.
+bool PocketMillingJudge::sees(const Motion& small) const {
+  if (terms_.compare_blocks && small.record.block != item_.block) return false;
+  const Number& tau = terms_.tolerance;
+  const bool is_shallow = item_.retract - item_.floor <= tau;
+  if (small.record.kind == RecordKind::rapid && !is_shallow) return false;
+  return !agree(small.from, small.to(), tau / kRoundingOfTolerance);
+}
+
+// SIE-LC75-11: infeeds of finishing may be fast. Whether this one may is judged as any other.
+bool PocketMillingJudge::may_begin_within(const Motion& rest) const {
+  return rest.record.kind == RecordKind::rapid;
+}
+
+OpenStepAnswer PocketMillingJudge::take(const Motion& motion) {
+  OpenStepAnswer answer = take_motion(motion);
+  if (is_limited() && is_cut(motion.record.kind)) answer.cost = OpenStepAnswer::Cost::free;
+  return answer;
+}
+
+OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
+  if (over_) return OpenStepAnswer::end(motion.from);
+  if (terms_.compare_blocks && motion.record.block != item_.block) {
+    if (milling_) {
+      const OpenStepAnswer answer = finish_level(motion);
+      if (answer.is_decided()) return answer;
+    }
+    // A lift that is too small to see may be missing.
+    over_ = floor_done_ && item_.floor >= item_.retract - terms_.tolerance &&
+            above_centre(motion.from) &&
+            agree(motion.from[axes_.d], item_.retract, terms_.tolerance);
+    if (over_) return OpenStepAnswer::end(motion.from);
+    return OpenStepAnswer::decide(incomplete(motion.from));
+  }
+  const RecordKind kind = motion.record.kind;
+  if (turns_rotary_axis(motion, terms_.tolerance)) {
+    return departs(VerdictKind::fail_region, item_.clause, motion,
+                   "A rotary axis moves in a pocket.");
+  }
+  if (kind != RecordKind::rapid && !is_cut(kind)) {
+    return departs(VerdictKind::fail_geometry, item_.clause, motion,
+                   "The motion is none of milling a pocket.");
+  }
+  if (kind == RecordKind::arc && motion.record.plane != item_.plane) {
+    return departs(VerdictKind::fail_region, item_.clause, motion,
+                   "The arc lies in another plane.");
+  }
+  if (is_cut(kind) && !again_.allows(motion)) {
+    return departs(VerdictKind::fail_overrun, "SIE-LC75-04"_clause, motion,
+                   std::string(kMilledTooOften));
+  }
+  take_slack_of(motion);
+  if (floor_cuts_ && is_cut(kind)) note_floor_cut(motion);
+  const Number& from = motion.from[axes_.d];
+  const Number& to = motion.to()[axes_.d];
+  // SIE-LC75-05: levels may begin above what is to be cut.
+  if (to < lowest_ - terms_.tolerance && is_near_cleared(to)) {
+    lowest_ = to;
+    again_.clear();
+  }
+  if (!goes_along_depth(motion)) return take_along_plane(motion);
+  if (stays_at_level(motion)) return OpenStepAnswer::take();
+  if (milling_ && !(motions_.empty() && to < from)) {
+    const OpenStepAnswer answer = finish_level(motion);
+    if (answer.is_decided()) return answer;
+  }
+  return to < from ? take_down(motion) : take_travel(motion);
+}
+
+// At any feed.
+void PocketMillingJudge::note_floor_cut(const Motion& motion) {
+  const bool is_flat = !goes_along_depth(motion);
+  if (is_flat && is_floor(motion.to()[axes_.d])) floor_cuts_->add(own(motion));
+}
+
+bool PocketMillingJudge::goes_along_depth(const Motion& motion) const {
+  const Number way = exact::abs(motion.to()[axes_.d] - motion.from[axes_.d]);
+  if (way > terms_.tolerance) return true;
+  const Number rounding = terms_.tolerance / kRoundingOfTolerance;
+  return way > rounding && motion.record.kind != RecordKind::arc &&
+         agree(motion.from[axes_.p], motion.to()[axes_.p], rounding) &&
+         agree(motion.from[axes_.q], motion.to()[axes_.q], rounding);
+}
+
+bool PocketMillingJudge::stays_at_level(const Motion& motion) const {
+  const Number& to = motion.to()[axes_.d];
+  if (!milling_ || !is_cut(motion.record.kind) || !agree(to, depth_, terms_.tolerance) ||
+      !agree(to, motion.from[axes_.d], terms_.tolerance)) {
+    return false;
+  }
+  // In finishing, the floor is not cleared as the level just above it.
+  return !(item_.finishing && to < depth_ && to >= item_.floor);
+}
+
+// At one depth: the cuts of a level, or travel.
+OpenStepAnswer PocketMillingJudge::take_along_plane(const Motion& motion) {
+  const Number& depth = motion.to()[axes_.d];
+  const bool is_a_cut = is_cut(motion.record.kind);
+  if (is_near_cleared(depth)) return take_near_cleared(motion);
+  if (is_a_cut && has_feed(motion, item_.plane_feed)) return take_cut(motion);
+  const bool deep = depth < cleared_.rough - terms_.tolerance;
+  if (is_a_cut && !deep && stays_in(motion, rough_reach_).value_or(false)) {
+    return OpenStepAnswer::take();
+  }
+  // Anything else comes after the level: what is cleared by now is all of it.
+  if (milling_) {
+    const OpenStepAnswer answer = finish_level(motion);
+    const bool decided = answer.is_decided();
+    if (!decided) return take_travel(motion);
+    if (!is_a_cut) return answer;
+  }
+  if (!is_a_cut) return take_travel(motion);
+  return departs(VerdictKind::fail_feed, "SIE-LC75-04"_clause, motion,
+                 "The feed in the plane differs.");
+}
+
+bool PocketMillingJudge::is_near_cleared(const Number& depth) const {
+  const bool in_air = item_.finishing && depth >= item_.reference_plane - terms_.tolerance;
+  return in_air || depth >= cleared_.everywhere - terms_.tolerance;
+}
+
+// J-PKT-09: travel; but where the floor is as near as the tolerance, it may be the level at the
+// floor.
+OpenStepAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
+  const Number& depth = motion.to()[axes_.d];
+  const bool mills = !floor_done_ && is_floor(depth) && is_cut(motion.record.kind) &&
+                     has_feed(motion, item_.plane_feed);
+  // The infeed to it cut.
+  if (mills && milling_ && !may_be_travel_) return take_cut(motion);
+  if (may_be_travel_ && !mills) {
+    const OpenStepAnswer answer = finish_level(motion);
+    if (answer.is_decided()) return answer;
+  }
+  const OpenStepAnswer travel = take_travel(motion);
+  if (!mills || travel.is_decided()) return travel;
+  if (!milling_) start_floor_or_travel(depth, motion.from);
+  return may_be_travel_ ? collect(motion) : travel;
+}
+
+void PocketMillingJudge::start_floor_or_travel(const Number& depth, const Position& plunge) {
+  milling_ = true;
+  may_be_travel_ = true;
+  depth_ = depth;
+  plunge_ = own(plunge);
+}
+
+OpenStepAnswer PocketMillingJudge::take_cut(const Motion& motion) {
+  if (!milling_) {
+    depth_ = motion.from[axes_.d];
+    const OpenStepAnswer answer = check_level_depth(motion);
+    if (answer.is_decided()) return answer;
+    milling_ = true;
+    plunge_ = own(motion.from);
+  } else if (motions_.empty()) {
+    const OpenStepAnswer answer = check_level_depth(motion);
+    if (answer.is_decided()) return answer;
+  }
+  if (!agree(motion.to()[axes_.d], depth_, terms_.tolerance)) {
+    return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
+                   "The cut leaves the level's depth.");
+  }
+  return collect(motion);
+}
+
+OpenStepAnswer PocketMillingJudge::collect(const Motion& motion) {
+  motions_.push_back(own(motion));
+  records_.push_back(motion.record);
+  if (motions_.size() > kMostMotions) {
+    return OpenStepAnswer::gap(GapReason::cap_level,
+                               "A level of more than 50,000 motions is not judged.");
+  }
+  return OpenStepAnswer::take();
+}
+
+OpenStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
+  const Number& to = motion.to()[axes_.d];
+  const bool is_last = is_point() && is_floor(to) && !floor_done_;
+  const bool cuts = is_last || to < min(cleared_.everywhere, cleared_.rough) - terms_.tolerance;
+  arrival_ = motion;
+  if (!cuts) {
+    const OpenStepAnswer travel = take_travel(motion);
+    const bool decided = travel.is_decided();
+    const bool tries = !floor_done_ && is_floor(to) && is_near_cleared(to);
+    if (!decided && tries) start_floor_or_travel(to, motion.to());
+    return travel;
+  }
+  may_be_travel_ = false;
+  const OpenStepAnswer answer = check_plunge(motion);
+  if (answer.is_decided()) return answer;
+  milling_ = true;
+  depth_ = to;
+  plunge_ = own(motion.to());
+  return OpenStepAnswer::take();
+}
+
+// SIE-LC75-04: every infeed is at the centre with R122. SIE-LC75-11: of finishing the last.
+OpenStepAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
+  const reference::ClauseId clause = item_.finishing ? "SIE-LC75-11"_clause : "SIE-LC75-04"_clause;
+  if (motion.record.kind == RecordKind::rapid) {
+    return departs(VerdictKind::fail_region, clause, motion, "The tool traverses into the part.");
+  }
+  if (motion.record.kind != RecordKind::feed || !above_centre(motion.from) ||
+      !above_centre(motion.to())) {
+    return departs(VerdictKind::fail_geometry, clause, motion,
+                   "The infeed is not at the centre of the pocket.");
+  }
+  if (!has_feed(motion, item_.depth_feed)) {
+    return departs(VerdictKind::fail_feed, clause, motion, "The feed of the infeed differs.");
+  }
+  return OpenStepAnswer::take();
+}
+
+OpenStepAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
+  if (!admits_depth(depth_)) {
+    return departs(VerdictKind::fail_geometry, "SIE-LC75-06"_clause, motion,
+                   "The depth of the level is none that the infeed admits.");
+  }
+  if (!item_.finishing || !is_floor(depth_)) return OpenStepAnswer::take();
+  const OpenStepAnswer answer =
+      arrival_ ? check_plunge(*arrival_)
+               : departs(VerdictKind::fail_geometry, "SIE-LC75-11"_clause, motion,
+                         "The last level has no infeed at the centre.");
+  if (!answer.is_decided() || !may_be_above_floor()) return answer;
+  taken_above_floor_ = true;
+  floor_fault_ = answer.verdict;
+  return OpenStepAnswer::take();
+}
+
+// Whether the motion may go where it goes: what is cleared, by this path or by roughing.
+OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
+  const Number& tau = terms_.tolerance;
+  // R8: no clause leads above R101.
+  if (motion.to()[axes_.d] > item_.retract + tau && motion.to()[axes_.d] > motion.from[axes_.d]) {
+    return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
+                   "The tool leaves the cycle's planes: it moves above R101.");
+  }
+  const Number lowest = min(motion.from[axes_.d], motion.to()[axes_.d]);
+  // What is finished was cleared down to the reference plane: above it is air.
+  const Number free =
+      item_.finishing ? min(cleared_.everywhere, item_.reference_plane) : cleared_.everywhere;
+  const bool above = lowest >= free - tau;
+  if (!above && lowest < cleared_.rough - tau) {
+    // Up where the tool stands, out of what it has just cut.
+    const bool straight_up = motion.from[axes_.d] < motion.to()[axes_.d] &&
+                             agree(motion.from[axes_.p], motion.to()[axes_.p], tau) &&
+                             agree(motion.from[axes_.q], motion.to()[axes_.q], tau);
+    if (straight_up) return OpenStepAnswer::take();
+    return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
+                   "The tool travels where nothing is cleared.");
+  }
+  if (traverses_on_floor(motion)) {
+    return departs(VerdictKind::fail_region, "SIE-LC75-11"_clause, motion,
+                   "The tool traverses on the floor of the pocket.");
+  }
+  const std::optional<bool> inside = stays_in(motion, above ? reach_ : rough_reach_);
+  if (!inside)
+    return OpenStepAnswer::gap(GapReason::comparison,
+                               "A motion is too close to the wall to decide.");
+  if (*inside) return OpenStepAnswer::take();
+  return departs(
+      VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
+      above ? "The tool leaves the pocket." : "The tool travels outside of what is cleared.");
+}
+
+// J-PKT-09: whether a traverse ends at the depth of a floor, be it the one that roughing left. Off
+// a floor it may begin; on the floor that it has roughed itself the tool may travel.
+bool PocketMillingJudge::traverses_on_floor(const Motion& motion) const {
+  if (motion.record.kind != RecordKind::rapid) return false;
+  const Number& from = motion.from[axes_.d];
+  const Number& to = motion.to()[axes_.d];
+  const bool leaves = to > from + terms_.tolerance;
+  const bool in_air = to >= item_.reference_plane - terms_.tolerance;
+  if (leaves || in_air) return false;
+  if (item_.finishing) return to <= cleared_.rough + terms_.tolerance;
+  return to < from - terms_.tolerance && is_floor(to);
+}
+
+// Whether a motion leads past R101 above the centre, behind the cycle. Without line numbers the
+// traverse is joined with what comes after it.
+bool PocketMillingJudge::passes_retract_plane(const Motion& motion) const {
+  return floor_done_ && !terms_.compare_blocks && motion.record.kind == RecordKind::rapid &&
+         above_centre(motion.from) && above_centre(motion.to()) &&
+         motion.from[axes_.d] < item_.retract && item_.retract < motion.to()[axes_.d];
+}
+
+OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
+  if (is_cut(motion.record.kind)) ++idle_cuts_;
+  if (passes_retract_plane(motion)) {
+    if (OpenStepAnswer floor = check_contour_only(motion); floor.is_decided()) return floor;
+    over_ = true;
+    Position here = motion.to();
+    here[axes_.d] = item_.retract;
+    return OpenStepAnswer::end(here);
+  }
+  if (const auto answer = check_first(motion); answer.is_decided()) {
+    return answer;
+  }
+  const OpenStepAnswer answer = check_travel(motion);
+  if (answer.is_decided()) return answer;
+  if (!floor_done_ || motion.record.kind != RecordKind::rapid || !above_centre(motion.to())) {
+    return OpenStepAnswer::take();
+  }
+  // SIE-LC75-13: the end is above the centre at R101.
+  over_ = agree(motion.to()[axes_.d], item_.retract, terms_.tolerance);
+  return over_ ? check_contour_only(motion) : OpenStepAnswer::take();
+}
+
+// R8: in roughing the first infeed follows the approach, at the centre. In finishing
+// (SIE-LC75-11) the tool may travel in what roughing left.
+OpenStepAnswer PocketMillingJudge::check_first(const Motion& motion) const {
+  const bool below = min(motion.from[axes_.d], motion.to()[axes_.d]) < item_.clearance;
+  if (item_.finishing || !first_ || milling_ || below) return OpenStepAnswer::take();
+  const bool sinks = motion.to()[axes_.d] <= motion.from[axes_.d] + terms_.tolerance;
+  const bool stays = above_centre(motion.to()) && !goes_round(motion, terms_.tolerance);
+  if (sinks && stays) return OpenStepAnswer::take();
+  return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
+                 "The tool moves away before the first infeed, where no clause leads it.");
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The judge of a pocket whose path the manual leaves open (LCYC75): plunges at the centre, levels
+// judged by what they clear, free travel in what is cleared, and the end above the centre.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "oracle/open/open_step.hpp"
+#include "oracle/motion/progress.hpp"
+#include "oracle/region/constants.hpp"
+#include "oracle/region/frame.hpp"
+#include "oracle/region/milled_floor.hpp"
+#include "oracle/region/rectangle.hpp"
+#include "reference/outcome.hpp"
+
+namespace gonogo::oracle {
+
+class PocketMillingJudge : public OpenStep {
+ public:
+  // `item` and `terms` must outlive the judge. The tool stands at `place`, at the clearance above
+  // the centre.
+  PocketMillingJudge(const reference::PocketMilling& item, const Position& place,
+                     const Tolerances& terms);
+
+  // The path ends with the motion that reaches R101 above the centre; what follows is `ended`.
+  OpenStepAnswer take(const Motion& motion) override;
+  std::optional<Verdict> end(const Position& here) override;
+  Exit exit(const Position& here) const override;
+  bool sees(const Motion& small) const override;
+  bool may_begin_within(const Motion& rest) const override;
+
+ private:
+  OpenStepAnswer take_motion(const Motion& motion);
+  // Whether the last motion is one of those that have a limit of their own: of a level, or a cut
+  // through what is cleared, of which a pocket may have as many as a level.
+  bool is_limited() const { return milling_ || idle_cuts_ <= kMostMotions; }
+  Verdict incomplete(const Position& position) const;
+  // How far the tool may go down without cutting: everywhere it may be, and in what roughing left.
+  struct Cleared {
+    Number everywhere;
+    Number rough;
+  };
+
+  // Whether the motion leads up or down, however little.
+  bool goes_along_depth(const Motion& motion) const;
+  // Whether a cut along the depth axis within a level leaves it at its depth.
+  bool stays_at_level(const Motion& motion) const;
+  OpenStepAnswer take_along_plane(const Motion& motion);
+  // Whether the depth may be one that is cleared everywhere.
+  bool is_near_cleared(const Number& depth) const;
+  OpenStepAnswer take_near_cleared(const Motion& motion);
+  void start_floor_or_travel(const Number& depth, const Position& plunge);
+  OpenStepAnswer finish_floor_or_travel(const Motion& next);
+  void close_level();
+  OpenStepAnswer take_cut(const Motion& motion);
+  OpenStepAnswer collect(const Motion& motion);
+  OpenStepAnswer take_down(const Motion& motion);
+  OpenStepAnswer take_travel(const Motion& motion);
+  OpenStepAnswer check_travel(const Motion& motion) const;
+  bool traverses_on_floor(const Motion& motion) const;
+  OpenStepAnswer check_first(const Motion& motion) const;
+  bool passes_retract_plane(const Motion& motion) const;
+  OpenStepAnswer check_plunge(const Motion& motion) const;
+  OpenStepAnswer check_level_depth(const Motion& motion);
+  OpenStepAnswer finish_level(const Motion& next);
+  OpenStepAnswer judge_level(const Motion& next);
+  // SIE-LC75-07: whether the floor is milled where only the contour is to be.
+  OpenStepAnswer check_contour_only(const Motion& next) const;
+  void note_floor_cut(const Motion& motion);
+  OpenStepAnswer level_fault(const region::Finding& finding, const Position& at) const;
+  OpenStepAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
+                         std::string message) const;
+
+  bool is_floor(const Number& depth) const;
+  // Whether a level that is not as the floor must be is one just above it.
+  bool may_be_above_floor() const;
+  bool admits_depth(const Number& depth) const;
+  bool is_due(const Number& place) const;
+  std::optional<Number> due_place(const Number& depth) const;
+  std::optional<Number> place_of(const Number& depth) const;
+  bool has_strip() const { return item_.finishing && item_.allowance.sign() > 0; }
+  bool above_centre(const Position& at) const;
+  bool has_feed(const Motion& motion, const Number& feed) const;
+  // Whether the motion stays where the tool's centre may be; nothing when that is undecided.
+  std::optional<bool> stays_in(const Motion& motion, const region::RoundedRectangle& area) const;
+  // Whether the tool can only go up and down in the pocket.
+  bool is_point() const;
+  // Where coordinates are only enclosed, rational ones near them stand for them.
+  void take_slack_of(const Motion& motion);
+  // In the pocket's own frame.
+  region::PlanePoint own(const Position& at) const;
+  region::LevelMotion own(const Motion& motion) const;
+  region::RectangularLevel level_at(const Number& depth) const;
+
+  const reference::PocketMilling& item_;
+  Position place_;
+  const Tolerances& terms_;
+  reference::PlaneAxes axes_;
+  region::RoundedRectangle area_;  // what the tool may touch
+  region::PocketFrame frame_;
+  Number slack_;  // of the frame, over the area, and of coordinates that are only enclosed
+  bool has_slack_of_enclosures_ = false;
+  region::RoundedRectangle reach_;                      // where its centre may be
+  std::optional<region::RoundedRectangle> rough_area_;  // finishing: what roughing cleared
+  region::RoundedRectangle rough_reach_;                // and where the tool fits in it
+  Cleared cleared_;
+  bool first_ = true;              // no level is finished
+  Number next_level_ = 1;          // place of the next one in the list that the reading names
+  Number last_depth_;              // of the level before, at first the clearance
+  Number lowest_;                  // that the tool has been in what is cleared, or in the air
+  std::optional<Motion> arrival_;  // what brought the tool down to where it is
+  bool milling_ = false;           // a level is being collected
+  Number depth_;                   // of it
+  // J-PKT-09: two ways to take the level, between which its end decides.
+  bool may_be_travel_ = false;  // what its cuts are unless they clear the floor
+  bool taken_above_floor_ =
+      false;  // the level above the floor, since it is not milled as the floor
+  std::optional<Verdict> floor_fault_;  // why not
+  std::vector<region::LevelMotion> motions_;
+  std::vector<Record> records_;
+  std::size_t idle_cuts_ = 0;
+  MilledAgain again_;
+  std::optional<region::MilledFloor> floor_cuts_;  // where only the contour is to be milled
+  region::PlanePoint plunge_;
+  bool floor_done_ = false;
+  bool over_ = false;
+  struct Judged {
+    std::vector<region::LevelMotion> motions;
+    region::PlanePoint plunge;
+    bool whole = false;
+  };
+  std::optional<Judged> judged_;  // the level before, GO
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Records, levels, alarms and points as the texts of a verdict.
+#pragma once
+
+#include <string>
+
+#include "oracle/steps/reference_steps.hpp"
+#include "oracle/records/point_text.hpp"
+#include "oracle/records/subject_outcome.hpp"
+#include "reference/outcome.hpp"
+
+namespace gonogo::oracle {
+
+std::string record_text(const reference::Record& record);
+std::string level_text(const reference::PocketLevel& level);
+// A thread with the pass that is due.
+std::string thread_text(const reference::ThreadMilling& thread, const Number& pass);
+std::string helix_text(const reference::HelixPocket& pocket);
+std::string pocket_text(const reference::PocketMilling& pocket);
+std::string alarms_text(const reference::AlarmReport& report);
+std::string alarm_text(const SubjectAlarm& alarm);
+// What a step of the reference says, its clause and its block; nothing for those that need none.
+std::string step_text(const ReferenceStep& step);
+reference::ClauseId clause_of(const ReferenceStep& step);
+std::uint64_t block_of(const ReferenceStep& step);
+// {"x":"1","z":"2"}
+std::string point_text(const reference::Position& point, reference::AxisSet axes);
+// Exact, as in a record but without quotes round it.
+std::string exact_text(const reference::Number& value);
+
+// What is not judged because two numbers are not told apart.
+Verdict undecided_verdict(const exact::Undecided& undecided);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// causes.json beside results.jsonl: the likely causes of the findings of a run. It is no
+// part of the results: no verdict depends on it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+
+#include "oracle/records/finding.hpp"
+
+namespace gonogo::oracle::evidence {
+
+inline constexpr const char* kCausesFile = "causes.json";
+struct Causes {
+  std::map<Finding::Key, Cause> of;
+  std::size_t asked = 0;  // findings of which a cause was looked for
+};
+
+// Those of the folder; a file that is missing or of another format says nothing.
+Causes read_causes(const std::filesystem::path& folder);
+// Without causes the file is taken away: it was of the run before. Throws std::system_error.
+void write_causes(const std::filesystem::path& folder, const Causes& causes);
+
+}  // namespace gonogo::oracle::evidence

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "publish/evidence/rejudge.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "campaign/results_reader.hpp"
+#include "oracle/judge/judge_session.hpp"
+#include "oracle/records/trace_reader.hpp"
+#include "publish/report/case_paths.hpp"
+#include "publish/report/json_value.hpp"
+
+namespace gonogo::oracle::evidence {
+
+using report::text_of;
+
+namespace {
+
+// As many records as a campaign keeps; a trace of that length may have been cut.
+constexpr std::size_t kKeptRecords = 20'000;
+
+std::optional<Number> number_of(const Json& object, const char* key) {
+  const std::string text = text_of(object, key);
+  if (text.empty()) return std::nullopt;
+  auto value = Number::parse(text);
+  if (!value) throw ResultsError(fmt::format("The header's {} is no number: {}.", key, text));
+  return value;
+}
+
+// Whether the end of the run is known: these departures are found in the motions, or at an end
+// without alarm.
+bool departs_in_motion(VerdictKind kind) {
+  switch (kind) {
+    case VerdictKind::fail_geometry:
+    case VerdictKind::fail_order:
+    case VerdictKind::fail_feed:
+    case VerdictKind::fail_region:
+    case VerdictKind::fail_overrun:
+    case VerdictKind::fail_alarm_missing:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool departs_in_alarm(VerdictKind kind) {
+  return kind == VerdictKind::fail_alarm_spurious || kind == VerdictKind::fail_alarm_class ||
+         kind == VerdictKind::fail_alarm_late || kind == VerdictKind::unmapped_alarm;
+}
+
+struct Outcome {
+  std::vector<reference::Record> records;
+  RunEnd end;
+};
+
+// The outcome as far as the line holds it; nothing when that is not enough.
+std::optional<Outcome> outcome_of(const Json& line, const CaseRow& row, VerdictKind departure) {
+  if (line.value("notes", std::string()).starts_with(kSampledNote)) return std::nullopt;
+  const Json trace = line.value("trace", Json::array());
+  if (trace.size() >= kKeptRecords) return std::nullopt;
+  Outcome outcome;
+  TraceReader reader;
+  bool has_alarm = false;
+  auto take = [&](const std::string& text) {
+    TraceLine read = reader.read(text);
+    if (auto* alarm = std::get_if<SubjectAlarm>(&read)) {
+      outcome.end.kind = RunEnd::Kind::alarm;
+      outcome.end.alarm = *alarm;
+      has_alarm = true;
+    } else if (auto* record = std::get_if<reference::Record>(&read)) {
+      outcome.records.push_back(std::move(*record));
+    } else {
+      return false;
+    }
+    return true;
+  };
+  for (const Json& entry : trace) {
+    if (!take(report::dump(entry))) return std::nullopt;
+  }
+  if (!departs_in_alarm(departure) || has_alarm) return outcome;
+  // The alarm stands in what was got.
+  const std::size_t records = outcome.records.size();
+  if (!take(row.got) || outcome.records.size() != records) return std::nullopt;
+  return outcome;
+}
+
+std::string difference(const Json& line, const CaseRow& row, const Verdict& now) {
+  auto differs = [&](std::string_view what, const std::string& was, const std::string& is) {
+    return fmt::format("{}: the {} was {}, but judged again it is {}.", row.id, what,
+                       was.empty() ? "none" : was, is.empty() ? "none" : is);
+  };
+  const bool is_known = row.kind == VerdictKind::xfail;
+  const std::string verdict = is_known ? row.departure : std::string(row.verdict());
+  if (name(now.kind) != verdict) {
+    return differs("verdict", verdict, std::string(name(now.kind)));
+  }
+  const std::string departure(now.departure ? name(*now.departure) : std::string_view());
+  if (!is_known && departure != row.departure) {
+    return differs("departure", row.departure, departure);
+  }
+  const std::string clause(now.clause == reference::kNoClause ? ""
+                                                              : reference::clause_name(now.clause));
+  if (clause != row.clause) return differs("clause", row.clause, clause);
+  if (now.block != row.block.value_or(0)) {
+    return differs("line", std::to_string(row.block.value_or(0)), std::to_string(now.block));
+  }
+  const auto record = report::count_of(line, "record");
+  if (now.record != record) {
+    return differs("record", record ? std::to_string(*record) : "",
+                   now.record ? std::to_string(*now.record) : "");
+  }
+  if (now.want != row.want) return differs("motion wanted", row.want, now.want);
+  if (now.got != row.got) return differs("motion got", row.got, now.got);
+  if (now.deviation_exact != row.deviation_exact) {
+    return differs("deviation", row.deviation_exact, now.deviation_exact);
+  }
+  return {};
+}
+
+}  // namespace
+
+RunTerms run_terms(const Json& header) {
+  RunTerms terms;
+  const Json subject = header.value("subject", Json::object());
+  const Json numeric = subject.value("numeric", Json::object());
+  terms.subject.name = text_of(subject, "name");
+  terms.subject.version = text_of(subject, "version");
+  if (const std::string kind = text_of(numeric, "kind"); !kind.empty()) {
+    terms.subject.numeric_kind = kind;
+    terms.subject.says_numeric = true;
+  }
+  terms.subject.resolution = number_of(numeric, "resolution");
+  terms.subject.feed_resolution = number_of(numeric, "feed_resolution");
+  terms.subject.chord = number_of(numeric, "chord");
+  terms.subject.recorded = text_of(subject, "spec").starts_with("capture:");
+  const Json dialects = subject.value("dialects", Json());
+  terms.subject.everything = !dialects.is_object();
+  if (dialects.is_object())
+    terms.subject.dialects = dialects.get<decltype(SubjectInfo::dialects)>();
+  for (const Json& feature : subject.value("features", Json::array())) {
+    if (feature.is_string()) terms.subject.features.insert(feature.get<std::string>());
+  }
+  terms.grants = {number_of(header, "tolerance"), number_of(header, "chord"),
+                  number_of(header, "feed_resolution"),
+                  header.value("strict", Json(false)) == true};
+  return terms;
+}
+
+Rejudged rejudge(const Json& line, const RunTerms& terms) {
+  const CaseRow row = case_row(line);
+  const bool is_gap = row.kind == VerdictKind::oracle_gap;
+  const VerdictKind departure =
+      row.kind == VerdictKind::advice || row.kind == VerdictKind::xfail
+          ? verdict_kind(row.departure).value_or(VerdictKind::oracle_error)
+          : row.kind;
+  const bool can_tell = is_gap || departs_in_motion(departure) || departs_in_alarm(departure);
+  if (!row.program || !can_tell) return {};
+  const auto profile = report::case_profile(row.dialect, line.value("profile", Json::object()));
+  if (const auto* fault = std::get_if<std::string>(&profile)) {
+    return {true, fmt::format("{}: its profile cannot be read: {}", row.id, *fault)};
+  }
+  const auto outcome = outcome_of(line, row, departure);
+  if (!outcome) return {};
+  const auto& machine = std::get<reference::Profile>(profile);
+  const Tolerances judge_terms = make_tolerances(terms.subject, machine, terms.grants);
+  const SessionVerdict now =
+      judge_outcome(machine, *row.program, judge_terms, outcome->records, outcome->end);
+  // How the run of a gap ended is unknown; a record that departs does so however it ended.
+  const bool departs = now.verdict.record && decision(now.verdict.kind) == Decision::no_go;
+  if (is_gap && now.verdict.kind != row.kind && !departs) return {};
+  return {true, difference(line, row, now.verdict)};
+}
+
+}  // namespace gonogo::oracle::evidence

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "publish/evidence/case_row.hpp"
+#include "publish/report/summary.hpp"
+
+namespace gonogo::oracle::evidence {
+
+// What a run came to, once all of its lines are read.
+struct RunState {
+  std::string decision;    // GO, NO-GO, UNDECIDED; INCOMPLETE without a footer
+  std::string head;        // of what, in a line
+  std::string unfinished;  // what the run lacks, a sentence; or empty
+  std::string subject;     // its name and version
+  Json summary;            // of report::Summary
+  Json footer;             // null: none
+};
+
+RunState run_state(const report::Summary& summary, const Json& header, const Json* footer);
+
+// "acme 3.2", or how it was named.
+std::string subject_title(const Json& header);
+// The same with what the certifier granted, and which part of the corpus it is: "acme 3.2
+// (tolerance 1000 mm, shard 1/300)".
+std::string run_title(const Json& header);
+
+}  // namespace gonogo::oracle::evidence

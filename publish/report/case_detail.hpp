@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the page shows of one case that is not GO: its evidence, both paths motion by motion and
+// the drawing sheet.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "publish/report/case_paths.hpp"
+
+namespace gonogo::oracle::report {
+
+// The bytes of a case's program; nothing when the line has none.
+std::optional<std::string> program_bytes(const Json& line);
+
+// A case of the corpus, and the profile that it was judged under.
+struct CorpusCase {
+  std::string dialect;
+  std::string comment;
+  Json profile;  // the keys that differ from the defaults
+  Json program;  // a text, or {"base64"}
+};
+// What the page shows of a case whose line holds no program: that it is GO says enough of the
+// subject, so the path is the reference's.
+Json pass_detail(const CorpusCase& test);
+
+// `line` is a case line of a results file; `subject_name` stands on the sheet. `with_paths` false:
+// without drawing and records, to keep a page of very many failures small.
+Json case_detail(const Json& line, std::string_view subject_name, bool with_paths);
+
+}  // namespace gonogo::oracle::report

@@ -1,0 +1,33 @@
+# cmake -DOUTPUT=assets.cpp "-DASSETS=kName=a.html;kOther=b.js,c.js" -P embed_assets.cmake
+#
+# Writes each file, or several joined, as a string of bytes, cut into short literals (compilers
+# limit their length), and its SHA-256 for the page's content security policy.
+set(text "// Generated from the assets of the report; do not edit.\n")
+string(APPEND text "#include \"publish/report/assets.hpp\"\n\nnamespace gonogo::oracle::report {\n")
+foreach(entry IN LISTS ASSETS)
+  string(REGEX MATCH "^([^=]*)=(.*)$" entry "${entry}")
+  set(name ${CMAKE_MATCH_1})
+  string(REPLACE "," ";" parts "${CMAKE_MATCH_2}")
+  set(asset ${OUTPUT}.${name})
+  file(WRITE ${asset} "")
+  foreach(part IN LISTS parts)
+    file(READ ${part} content)
+    file(APPEND ${asset} "${content}")
+  endforeach()
+  file(READ ${asset} hex HEX)
+  file(SHA256 ${asset} digest)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\\\x\\1" bytes "${hex}")
+  string(LENGTH "${hex}" hex_length)
+  math(EXPR size "${hex_length} / 2")
+  set(lines "")  # 64 bytes each; adjacent literals join
+  string(LENGTH "${bytes}" length)
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${bytes}" ${at} 256 line)
+    string(APPEND lines "    \"${line}\"\n")
+    math(EXPR at "${at} + 256")
+  endwhile()
+  string(APPEND text "const Asset ${name}{std::string_view(\n${lines}    , ${size}), \"${digest}\"};\n")
+endforeach()
+string(APPEND text "}  // namespace gonogo::oracle::report\n")
+file(WRITE ${OUTPUT} "${text}")

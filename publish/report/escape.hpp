@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Text from programs, subjects and results files is not to be trusted: with any content it comes
+// out of here as text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gonogo::oracle::report {
+
+// For XML and HTML text and quoted attributes. Bytes that are not UTF-8, and characters that XML
+// does not have, become U+FFFD.
+std::string markup_text(std::string_view text);
+
+// Makes a JSON text safe inside <script>: no '<', '>' or '&' remains.
+std::string script_json(std::string_view json);
+
+// The first `most` characters, with an ellipsis when some are left out.
+std::string shortened(std::string_view text, std::size_t most);
+
+// RFC 4648 with padding. Nothing when it is not that.
+std::optional<std::string> from_base64(std::string_view text);
+// For bytes that are given as hexadecimal digits.
+std::string base64_of_hex(std::string_view hex);
+
+}  // namespace gonogo::oracle::report

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "publish/report/figure_numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "publish/report/figure.hpp"
+#include "publish/report/svg.hpp"
+
+namespace gonogo::oracle::report {
+namespace {
+
+constexpr double kDigit = 8;  // pixels
+constexpr double kHeight = 14;
+constexpr double kAside = 14;  // of a number's middle from its motion
+
+struct Spot {
+  SheetPoint at;
+  double ux = 1;  // direction of the motion there
+  double uy = 0;
+};
+
+// The point of a polyline at a share of its length on the sheet.
+Spot spot_at(const View& view, const std::vector<Point3>& points, double share) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const SheetPoint a = view.place(points[i - 1]);
+    const SheetPoint b = view.place(points[i]);
+    length += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  double rest = share * length;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const SheetPoint a = view.place(points[i - 1]);
+    const SheetPoint b = view.place(points[i]);
+    const double step = std::hypot(b.x - a.x, b.y - a.y);
+    if (step == 0 || (step < rest && i + 1 < points.size())) {
+      rest -= step;
+      continue;
+    }
+    const double part = std::clamp(rest / step, 0.0, 1.0);
+    return {{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)},
+            (b.x - a.x) / step,
+            (b.y - a.y) / step};
+  }
+  return {view.place(points.back()), 1, 0};
+}
+
+double distance_to(const View& view, const std::vector<Point3>& points, SheetPoint from) {
+  double least = 1e9;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const SheetPoint a = view.place(points[i - 1]);
+    const SheetPoint b = view.place(points[i]);
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double square = dx * dx + dy * dy;
+    const double along =
+        square > 0 ? std::clamp(((from.x - a.x) * dx + (from.y - a.y) * dy) / square, 0.0, 1.0) : 0;
+    least = std::min(least, std::hypot(a.x + along * dx - from.x, a.y + along * dy - from.y));
+  }
+  return least;
+}
+
+// How much a number would cover at a place: other numbers most, lines less, the edge of the field.
+double cover(const View& view, const Path& path, const std::vector<SheetBox>& placed,
+             const SheetBox& box) {
+  double covered = 0;
+  for (const SheetBox& other : placed) {
+    if (box.x < other.x + other.width && other.x < box.x + box.width &&
+        box.y < other.y + other.height && other.y < box.y + box.height) {
+      covered += 100;
+    }
+  }
+  const SheetPoint middle{box.x + box.width / 2, box.y + box.height / 2};
+  for (const Motion& motion : path.motions) {
+    if (motion.moves() && distance_to(view, motion.points, middle) < kAside - 4) covered += 1;
+  }
+  const SheetBox& field = view.field;  // beside it stand the labels of the grid
+  const bool outside = box.x < field.x || box.y < field.y ||
+                       box.x + box.width > field.x + field.width ||
+                       box.y + box.height > field.y + field.height;
+  return covered + (outside ? 50 : 0);
+}
+
+}  // namespace
+
+void append_numbers(std::string& out, const View& view, const Path& path) {
+  constexpr std::array<double, 7> kShares = {0.5, 0.38, 0.62, 0.25, 0.75, 0.12, 0.88};
+  std::vector<SheetBox> placed;
+  const std::vector<std::size_t> numbers = motion_numbers(path);
+  for (std::size_t i = 0; i < path.motions.size(); ++i) {
+    if (numbers[i] == 0) continue;
+    const std::string text = std::to_string(numbers[i]);
+    const double width = kDigit * static_cast<double>(text.size()) + 2;
+    SheetBox best{};
+    double least = 1e9;
+    for (const double aside : {kAside, -kAside, 2.2 * kAside, -2.2 * kAside}) {
+      for (const double share : kShares) {
+        const Spot spot = spot_at(view, path.motions[i].points, share);
+        const SheetBox box{spot.at.x - spot.uy * aside - width / 2,
+                           spot.at.y + spot.ux * aside - kHeight / 2, width, kHeight};
+        const double covered =
+            cover(view, path, placed, box) + (std::fabs(aside) > kAside ? 0.5 : 0);
+        if (covered >= least) continue;
+        least = covered;
+        best = box;
+      }
+    }
+    placed.push_back(best);
+    svg::append_text(out, {best.x + width / 2, best.y + kHeight - 2.5}, "gs-number", text,
+                     "text-anchor=\"middle\"");
+  }
+}
+
+}  // namespace gonogo::oracle::report

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The processes of a subject: the first one, what descends from it, and what has left it. This
+// program is made the parent of orphans, so that none gets out of its sight or outlives it.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <functional>
+
+namespace gonogo::oracle {
+
+// Starts the first process of a subject, the leader of a session of its own.
+pid_t begin_family(const std::function<pid_t()>& spawn);
+
+// Memory that it and all that came of it hold now. What has left both its parent and the session
+// counts for every subject: its owner is unknown.
+std::size_t resident_bytes(pid_t first);
+
+// Ends all of them, also those that left their group, and reaps those that are this program's
+// children. Processes of unknown owner end with the last subject.
+// Returns the first one's status, as waitpid.
+int end_family(pid_t first);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "campaign/merge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "campaign_testing.hpp"
+#include "campaign/results_reader.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr unsigned kShards = 3;
+
+// Without what may differ: argv, us and attempts.
+std::string comparable(const std::string& text) {
+  return std::regex_replace(text, std::regex("\"(us|attempts)\":[0-9]+|\"argv\":\\[[^\\]]*\\]"),
+                            "");
+}
+
+class Merge : public ::testing::Test {
+ protected:
+  Merge() { write_corpus(scratch_, 40); }
+
+  CampaignOptions options() const {
+    CampaignOptions options;
+    options.alarm_map = alarms_;
+    options.known_failures = known_;
+    return options;
+  }
+  void run_shards() {
+    for (unsigned shard = 1; shard <= kShards; ++shard) {
+      CampaignOptions one = options();
+      one.shard = shard;
+      one.shards = kShards;
+      results_of(scratch_, "s" + std::to_string(shard), one, fake_maker(fake_));
+    }
+  }
+  MergeOutcome merge(const std::vector<std::string>& names, bool partial = false) {
+    MergeOptions merging;
+    for (const std::string& name : names) merging.results.push_back(scratch_.path(name));
+    merging.out = scratch_.path("merged");
+    merging.argv = {"merge"};
+    merging.partial = partial;
+    return merge_results(merging);
+  }
+  void replace_in(const std::string& name, const std::string& what, const std::string& with) {
+    std::string text = scratch_.read(name);
+    const std::size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos);
+    scratch_.write(name, text.replace(at, what.size(), with));
+  }
+
+  Scratch scratch_;
+  FakeSubject fake_;
+  std::shared_ptr<const AlarmMap> alarms_;
+  std::vector<KnownFailure> known_;
+};
+
+TEST_F(Merge, IsTheResultOfAnUndividedRunByteForByte) {
+  fake_.act = [](std::string_view id, int) -> std::optional<RunEnd> {
+    if (id != "t.000007") return std::nullopt;
+    return RunEnd{};
+  };
+  alarms_ = std::make_shared<const AlarmMap>(
+      std::vector<AlarmMap::Entry>{{"PS1", "value-sign"}, {"PS2", "no-tool"}});
+  known_ = {{"t.9*", VerdictKind::crash, "", "", "of no case", {}}};
+  results_of(scratch_, "whole", options(), fake_maker(fake_));
+  run_shards();
+  const MergeOutcome outcome = merge({"s2", "s3", "s1"});
+  EXPECT_TRUE(outcome.written);
+  EXPECT_EQ(outcome.answer.exit_code, 1);
+  EXPECT_EQ(comparable(scratch_.read("merged")), comparable(scratch_.read("whole")));
+}
+
+// A fresh program belongs to no shard, and each shard asks its own.
+TEST_F(Merge, FreshProgramsOfShardsAddUp) {
+  run_shards();
+  for (unsigned shard = 1; shard <= kShards; ++shard) {
+    const std::string number = std::to_string(shard);
+    ASSERT_NO_FATAL_FAILURE(
+        replace_in("s" + number, R"("fresh":{})",
+                   R"("fresh":{"gsk988ta":{"wanted":9,"programs":)" + number + R"(,"judged":1}})"));
+  }
+  const MergeOutcome outcome = merge({"s1", "s2", "s3"});
+  EXPECT_EQ(outcome.footer.fresh, (FreshCounts{{"gsk988ta", {27, 6, 3}}}));
+  EXPECT_TRUE(outcome.answer.head.ends_with("; fresh programs: 3")) << outcome.answer.head;
+}
+
+TEST_F(Merge, ShardsOfDifferentSeedsAreOneRunWithoutASeed) {
+  const auto merged_seed = [&](std::uint64_t step) {
+    for (unsigned shard = 1; shard <= kShards; ++shard) {
+      CampaignOptions one = options();
+      one.shard = shard;
+      one.shards = kShards;
+      one.seed = 7 + step * shard;
+      results_of(scratch_, "s" + std::to_string(shard), one, fake_maker(fake_));
+    }
+    EXPECT_EQ(merge({"s1", "s2", "s3"}).answer.exit_code, 0);
+    return ResultsReader(scratch_.path("merged")).header()["seed"].get<std::uint64_t>();
+  };
+  EXPECT_EQ(merged_seed(0), 7U);
+  EXPECT_EQ(merged_seed(1), 0U);
+}
+
+// The fake sends X i (a radius) and Z 5, of every third case X off by 0.0003 and of the first by
+// 0.001: of 40 cases 14 have one that is not exact, 80 - 14 = 66 coordinates are, and what is off
+// lies on the grid of 0.0001 mm, by up to ten of it.
+TEST_F(Merge, SaysOfCoordinatesWhatAnUndividedRunSays) {
+  fake_.alter = [](std::string_view id, reference::Record& record) {
+    const int number = std::stoi(std::string(id.substr(2)));
+    if (number % 3 != 0 || !record.axes.has(reference::Axis::x)) return;
+    record.to[reference::Axis::x] += Number::millionths(number == 0 ? 1'000 : 300);
+  };
+  results_of(scratch_, "whole", options(), fake_maker(fake_));
+  run_shards();
+  const MergeOutcome outcome = merge({"s3", "s1", "s2"});
+  const RoundingCensus census = outcome.footer.coordinates.at("gsk988ta");
+  EXPECT_EQ(census.exact(), 66U);
+  EXPECT_EQ(census.rounded().count(), 14U);
+  EXPECT_EQ(census.rounded().increment().text(), "0.0001");
+  EXPECT_EQ(census.rounded().increments_off(), 10);
+  EXPECT_EQ(census.rounded().modes(), std::vector<RoundingMode>{});
+  EXPECT_EQ(comparable(scratch_.read("merged")), comparable(scratch_.read("whole")));
+  CampaignOptions parallel = options();
+  parallel.jobs = 3;
+  results_of(scratch_, "parallel", parallel, fake_maker(fake_));
+  EXPECT_EQ(comparable(scratch_.read("parallel")), comparable(scratch_.read("whole")));
+}
+
+TEST_F(Merge, ReconcilesTheReadingsOfAllShardsTogether) {
+  // Passes under r=1 in one shard and under r=2 in the other: each is GO alone, both are not.
+  for (const char* name : {"whole", "s1", "s2"}) {
+    ResultsHeader header;
+    header.shard = name[0] == 'w' ? "1/1" : std::string(1, name[1]) + "/2";
+    ResultsWriter writer(scratch_.path(name), header);
+    // SHA-256 of "abc" begins ba7816bf8f01cfea: even, shard 1; of "d" 18ac3e7343f01689: shard 2.
+    for (const auto& [id, reading] : {std::pair{"abc", "r=1"}, std::pair{"d", "r=2"}}) {
+      if (name[0] == 's' && (name[1] == '1') != (std::string(id) == "abc")) continue;
+      CaseResult result = passed(id);
+      result.readings = OpenReadings{{"r"}, {reading}, VerdictKind::pass_exact, {}};
+      writer.add(result);
+    }
+    ResultsFooter footer;
+    const RunAnswer answer = writer.close({}, footer);
+    EXPECT_EQ(answer.exit_code, name[0] == 'w' ? 1 : 0) << name;
+  }
+  const MergeOutcome outcome = merge({"s1", "s2"});
+  EXPECT_EQ(outcome.answer.reading_conflict, "d");
+  EXPECT_EQ(comparable(scratch_.read("merged")), comparable(scratch_.read("whole")));
+}
+
+TEST_F(Merge, NamesAMissingShardAndWritesNothing) {
+  run_shards();
+  const MergeOutcome outcome = merge({"s1", "s3"});
+  ASSERT_EQ(outcome.missing.size(), 1U);
+  EXPECT_NE(outcome.missing[0].find("2/3"), std::string::npos);
+  EXPECT_FALSE(outcome.written);
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path("merged")));
+}
+
+TEST_F(Merge, NamesAnIncompleteShard) {
+  run_shards();
+  const std::string text = scratch_.read("s2");
+  scratch_.write("s2", text.substr(0, text.rfind("{\"decision\"")));
+  const MergeOutcome outcome = merge({"s1", "s2", "s3"});
+  ASSERT_EQ(outcome.missing.size(), 1U);
+  EXPECT_NE(outcome.missing[0].find("incomplete"), std::string::npos);
+  EXPECT_FALSE(outcome.written);
+}
+
+TEST_F(Merge, WritesWhatIsThereWithoutAFooterWhenAsked) {
+  run_shards();
+  EXPECT_TRUE(merge({"s1", "s3"}, true).written);
+  const std::string text = scratch_.read("merged");
+  EXPECT_NE(text.find("t.0000"), std::string::npos);
+  EXPECT_EQ(text.find("\"decision\""), std::string::npos);
+}
+
+TEST_F(Merge, AShardThatIsThereTwiceWithTheSameCasesCountsOnce) {
+  run_shards();
+  scratch_.write("again", scratch_.read("s2"));
+  const MergeOutcome outcome = merge({"s1", "s2", "again", "s3"});
+  EXPECT_TRUE(outcome.written);
+  EXPECT_EQ(outcome.notes.size(), 1U);
+  EXPECT_EQ(outcome.answer.cases, 40U);
+}
+
+TEST_F(Merge, AShardThatIsThereTwiceWithOtherCasesIsRefused) {
+  run_shards();
+  scratch_.write("s2-before", scratch_.read("s2"));
+  fake_.act = [](std::string_view, int) -> std::optional<RunEnd> { return RunEnd{}; };
+  run_shards();
+  EXPECT_THROW(merge({"s2-before", "s2"}), MergeError);
+}
+
+TEST_F(Merge, RefusesShardsOfDifferentRuns) {
+  run_shards();
+  for (const auto& [what, with] :
+       {std::pair{"\"gonogo\":\"\"", "\"gonogo\":\"9\""},
+        std::pair{"\"chord\":null", "\"chord\":\"1\""},
+        std::pair{"\"version\":\"\",\"sha256\"", "\"version\":\"2\",\"sha256\""},
+        std::pair{"\"spec\":\"\"", "\"spec\":\"pipe:x\""}}) {
+    const std::string before = scratch_.read("s2");
+    replace_in("s2", what, with);
+    EXPECT_THROW(merge({"s1", "s2", "s3"}), MergeError) << with;
+    scratch_.write("s2", before);
+  }
+}
+
+TEST_F(Merge, RefusesShardsOfDifferentDivisions) {
+  run_shards();
+  CampaignOptions other = options();
+  other.shard = 1;
+  other.shards = 2;
+  results_of(scratch_, "half", other, fake_maker(fake_));
+  EXPECT_THROW(merge({"s1", "s2", "s3", "half"}), MergeError);
+}
+
+TEST_F(Merge, RefusesCasesThatBelongToAnotherShard) {
+  results_of(scratch_, "whole", options(), fake_maker(fake_));
+  replace_in("whole", "\"shard\":\"1/1\"", "\"shard\":\"1/3\"");
+  EXPECT_THROW(merge({"whole"}), MergeError);
+}
+
+}  // namespace
+}  // namespace gonogo::oracle

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// docs/domain.md in a hunt: what a subject does with places that no machine has is not told.
+#include <gtest/gtest.h>
+
+#include "hunting.hpp"
+#include "oracle/differential/domain.hpp"
+
+namespace gonogo::hunt::testing {
+namespace {
+
+using reference::Axis;
+using reference::Number;
+using reference::Record;
+
+// The built-in expander, 1 mm beside where X is `from` mm or more.
+class FarOff : public oracle::Subject {
+ public:
+  explicit FarOff(Number from) : from_(std::move(from)), inner_(builtin("gsk")()) {}
+  const oracle::SubjectInfo& info() const override { return inner_->info(); }
+  void configure(const reference::Profile& profile) override { inner_->configure(profile); }
+  oracle::RunEnd run(std::string_view id, std::string_view program,
+                     const oracle::RecordSink& sink) override {
+    return inner_->run(id, program, [&](const Record& record) {
+      Record moved = record;
+      if (from_ <= moved.to[Axis::x]) moved.to[Axis::x] += Number(1);
+      return sink(moved);
+    });
+  }
+  void renew() override { inner_->renew(); }
+
+ private:
+  Number from_;
+  std::unique_ptr<oracle::Subject> inner_;
+};
+
+Hunt hunt_of(std::int64_t from, bool everywhere) {
+  HuntOptions options = hunting("gsk988ta");
+  options.everywhere = everywhere;
+  options.settings = generate::read_settings("boundary=1").value();
+  return {[from] { return std::make_unique<FarOff>(Number(from)); }, {}, options};
+}
+
+TEST(HuntDomain, ADepartureBeyondTenMetresIsCountedAndNotTold) {
+  Hunt hunt = hunt_of(10'001, false);
+  while (hunt.count().programs < 2'000) EXPECT_FALSE(hunt.step().has_value());
+  EXPECT_GT(hunt.count().outside, 0U);
+  EXPECT_EQ(hunt.count().no_go, 0U);
+}
+
+TEST(HuntDomain, EverywhereItIsAFinding) {
+  Hunt hunt = hunt_of(10'001, true);
+  bool found = false;
+  while (hunt.count().programs < 2'000 && !found) found = hunt.step().has_value();
+  EXPECT_TRUE(found);
+  EXPECT_EQ(hunt.count().outside, 0U);
+}
+
+TEST(HuntDomain, AFindingIsNotMadeSmallOutside) {
+  Hunt hunt = hunt_of(40, false);
+  std::optional<Finding> finding;
+  while (hunt.count().programs < 500 && !finding) finding = hunt.step();
+  ASSERT_TRUE(finding);
+  hunt.reduce(*finding, {});
+  const generate::GeneratedProgram& left = finding->reproducer.program;
+  EXPECT_EQ(oracle::outside_domain(left.profile, left.text), "") << left.text;
+}
+
+}  // namespace
+}  // namespace gonogo::hunt::testing

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/hunt/signature.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hunting.hpp"
+
+namespace gonogo::hunt::testing {
+namespace {
+
+Signature signature(const char* fault, const char* program) {
+  Trial trial(builtin("gsk", fault), {});
+  oracle::Verdict verdict;
+  const auto finding = finding_of(trial, gsk(program), verdict);
+  return finding ? finding->signature : Signature{};
+}
+
+TEST(Signature, OtherNumbersAreTheSameDefect) {
+  EXPECT_EQ(signature("taper-sign", "G00 X100 Z5\nG94 X50 Z-10 R-2 F100\n"),
+            signature("taper-sign", "G00 X90 Z7\n\nG94 X30 Z-20.5 R-3 F250\n"));
+}
+
+TEST(Signature, AnotherCodeIsAnotherDefect) {
+  EXPECT_NE(signature("inch-feed", "G20 G00 X1 Z1\nG01 X2 F1\n"),
+            signature("inch-feed", "G20 G00 X1 Z1\nG94 X0 Z0 F1\n"));
+}
+
+TEST(Signature, AnotherKindOfVerdictIsAnotherDefect) {
+  EXPECT_EQ(
+      signature("tool-equality-accepted", "G18 G0 X0 Z0 Y50\nG110 X0 Z0 Y20 R-5 I5 L3 Q50 D5 F1\n")
+          .kind,
+      oracle::VerdictKind::fail_alarm_missing);
+  EXPECT_EQ(signature("gouge", "G18 G0 X0 Z0 Y50\nG110 X0 Z0 Y20 R-5 I9 L3 Q50 D5 F1\n").kind,
+            oracle::VerdictKind::fail_region);
+}
+
+// G94 goes at rapid to B = C + R = Z-12; with the fault to Z-8, which lies on the way, and cuts on.
+TEST(Signature, NamesClauseRecordsAndCode) {
+  EXPECT_EQ(signature("taper-sign", "G00 X100 Z5\nG94 X50 Z-10 R-2 F100\n").text(),
+            "fail.geometry GSK-G94-02 rapid/rapid in G94");
+}
+
+TEST(Signature, HashesAreEightDigits) {
+  const std::string hash = signature("taper-sign", "G00 X100 Z5\nG94 X50 Z-10 R-2 F100\n").hash();
+  EXPECT_EQ(hash.size(), 8U);
+  EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos);
+}
+
+TEST(Signature, WhatBrokeDownIsNamedWithoutItsNumbers) {
+  oracle::Verdict first;
+  first.kind = oracle::VerdictKind::crash;
+  first.message = "The subject exited with 134 in `run` 17.";
+  oracle::Verdict second = first;
+  second.message = "The subject exited with 9 in `run` 4.";
+  EXPECT_EQ(signature_of(first, gsk("G0\n")), signature_of(second, gsk("G1 X1\n")));
+}
+
+}  // namespace
+}  // namespace gonogo::hunt::testing

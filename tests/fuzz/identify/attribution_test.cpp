@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Causes of departures, tried on planted faults: the names are those of what a fault does.
+#include "fuzz/identify/attribution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "pools.hpp"
+#include "secret_subject.hpp"
+
+namespace gonogo::identify {
+namespace {
+
+using testing::builtin;
+using testing::checked_in_corpus;
+
+ProgramAsked case_of(const std::string& id) {
+  oracle::CaseReader reader(checked_in_corpus(), oracle::Detail::to_run);
+  while (const auto test = reader.next()) {
+    if (test->id == id) return {test->id, test->program, test->profile};
+  }
+  throw std::runtime_error("There is no case " + id + ".");
+}
+
+Attribution attribute_fault(const char* expander, const char* fault, const std::string& id) {
+  const auto subject = builtin(expander, fault);
+  return attribute(*subject, checked_in_corpus(), case_of(id), {});
+}
+
+struct Planted {
+  const char* expander;
+  const char* fault;
+  const char* departs_on;  // a case of the corpus
+  const char* cause;
+};
+
+void PrintTo(const Planted& planted, std::ostream* out) {
+  *out << planted.expander << '+' << planted.fault;
+}
+
+class PlantedFault : public ::testing::TestWithParam<Planted> {};
+
+TEST_P(PlantedFault, IsExplainedByItsCause) {
+  const Planted& planted = GetParam();
+  const Attribution found = attribute_fault(planted.expander, planted.fault, planted.departs_on);
+  EXPECT_GT(found.departures, 0U);
+  EXPECT_NE(std::ranges::find(found.complete, std::string(planted.cause), &Cause::name),
+            found.complete.end())
+      << attribution_text(found);
+}
+
+// The fault's own description says what it does: the cause is that in the words of a variant.
+INSTANTIATE_TEST_SUITE_P(
+    Expanders, PlantedFault,
+    ::testing::Values(
+        Planted{"ngc", "g18-sense-flipped", "ngc.arc-distance.000013",
+                "every arc in G18 turns the other way"},
+        Planted{"ngc", "radius-sign-ignored", "ngc.arc-r.000005",
+                "R of G2 G3 is taken without its sign"},
+        Planted{"ngc", "offsets-absolute", "ngc.arc-distance.000028",
+                "I J K are taken as absolute"},
+        Planted{"ngc", "g18-offsets-swapped", "ngc.arc-distance.000013",
+                "I and K change places in G18"},
+        Planted{"ngc", "helix-flat", "ngc.arc-distance.000042",
+                "the third axis of an arc is ignored"},
+        Planted{"ngc", "inch-offsets-unscaled", "ngc.arc-distance.000040",
+                "I J K of G2 G3 is not converted from inches"},
+        Planted{"ngc", "feed-after-motion", "ngc.arc-distance.000001",
+                "F holds from the next block on"},
+        Planted{"ngc", "g98-g99-swapped", "ngc.cycles.000094", "G98 and G99 change places"},
+        Planted{"ngc", "end-ignored", "ngc.m.000021", "the end of the program is ignored"},
+        Planted{"ngc", "alarm-next-block", "ngc.alarm.000001", "alarms name the block after"},
+        Planted{"ngc", "end-point-unchecked", "ngc.arc-distance.000011",
+                "arc-end-point of NGC-ARC-03 is not checked"},
+        Planted{"gsk", "missing-step-down-accepted", "gsk.g110.alarm.000069",
+                "GSK-G110-02 does without Q"},
+        Planted{"hnc", "peck-running-sum", "hnc.pecks.000001", "Q is summed up in binary64"},
+        Planted{"hnc", "dwell-in-seconds", "hnc.basic.000068",
+                "P of G4 is 1000 times too large, milli for one"}),
+    [](const auto& planted) {
+      std::string name = std::string(planted.param.expander) + "_" + planted.param.fault;
+      std::ranges::replace(name, '-', '_');
+      return name;
+    });
+
+TEST(Departure, HasNoCauseWhereNothingDeparts) {
+  for (const auto& [expander, id] :
+       {std::pair("gsk", "gsk.arc.000029"), std::pair("hnc", "hnc.pecks.000001"),
+        std::pair("ngc", "ngc.arc-distance.000001"), std::pair("sinumerik", "s840.ar.000011")}) {
+    const auto subject = builtin(expander);
+    const Attribution found = attribute(*subject, checked_in_corpus(), case_of(id), {});
+    EXPECT_GT(found.programs.size(), 10U) << expander;
+    EXPECT_EQ(found.departures, 0U) << expander;
+    EXPECT_TRUE(found.complete.empty() && found.partial.empty()) << expander;
+  }
+}
+
+TEST(Departure, SaysInNumbersWhatACauseExplains) {
+  const Attribution found = attribute_fault("ngc", "radius-sign-ignored", "ngc.arc-r.000005");
+  ASSERT_FALSE(found.complete.empty());
+  EXPECT_EQ(found.complete.front().departures, found.departures);
+  EXPECT_EQ(found.complete.front().passes, found.programs.size() - found.departures);
+}
+
+// Pecks that never end: thousands of records, held against hundreds of mistakes.
+TEST(Departure, IsGivenUpWhereItsTrialsTakeMoreRecordsThanTheyMay) {
+  const auto subject = builtin("ngc", "g18-sense-flipped");
+  const ProgramAsked asked = case_of("ngc.arc-distance.000013");
+  AttributionOptions options;
+  options.most_records = 100;
+  const Attribution found = attribute(*subject, checked_in_corpus(), asked, options);
+  EXPECT_TRUE(found.given_up);
+  EXPECT_GT(found.departures, 0U);
+  EXPECT_TRUE(found.complete.empty() && found.partial.empty());
+  options.most_records = 1'000'000;
+  const Attribution whole = attribute(*subject, checked_in_corpus(), asked, options);
+  EXPECT_FALSE(whole.given_up);
+  EXPECT_FALSE(whole.complete.empty());
+}
+
+// Hand made: three departures of four are explained, then two of four, then all by two mistakes.
+TEST(LikelyCause, IsNoneOverAMinorityAndNamesItsRivals) {
+  Attribution found;
+  found.programs.resize(6);
+  found.departures = 4;
+  found.partial = {{"a", 3, 0, 2}, {"b", 4, 0, 1}};
+  ASSERT_FALSE(likely_cause(found).empty());
+  EXPECT_EQ(likely_cause(found).name, "a");
+  EXPECT_EQ(likely_cause(found).evidence,
+            "It explains 3 of 4 departures that were tried, and that 2 programs pass.");
+  found.partial = {{"a", 2, 0, 2}};
+  EXPECT_TRUE(likely_cause(found).empty());
+  found.complete = {{"c", 4, 0, 2}, {"d", 4, 0, 2}};
+  EXPECT_EQ(likely_cause(found).evidence,
+            "It explains 4 of 4 departures that were tried, and that 2 programs pass. As much is "
+            "explained by: d.");
+}
+
+TEST(LikelyCause, IsNoneWhereAMistakeAndItsOppositeExplainAsMuch) {
+  Attribution found;
+  found.programs.resize(6);
+  found.departures = 3;
+  const std::string opposite = "I of G3 is converted from inches";
+  found.complete = {{"I of G3 is not converted from inches", 3, 0, 3, opposite},
+                    {opposite, 3, 0, 3}};
+  EXPECT_TRUE(likely_cause(found).empty());
+  found.complete[1].name = "J of G3 is converted from inches";
+  EXPECT_EQ(likely_cause(found).name, "I of G3 is not converted from inches");
+}
+
+}  // namespace
+}  // namespace gonogo::identify

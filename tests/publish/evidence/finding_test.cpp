@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/records/finding.hpp"
+
+#include <gtest/gtest.h>
+
+#include "publish/evidence/causes.hpp"
+#include "oracle/records/cycle_table.hpp"
+#include "oracle/records/finding_text.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+CaseHead departing(const char* id, const char* clause, std::size_t blocks, const char* want,
+                   const char* got) {
+  CaseHead head;
+  head.id = id;
+  head.dialect = "gsk988ta";
+  head.cycle = "g94";
+  head.clause = clause;
+  head.want = want;
+  head.got = got;
+  head.program_blocks = blocks;
+  head.program_bytes = 10 * blocks;
+  return head;
+}
+
+constexpr const char* kRapid = R"({"k":"rapid","b":1,"to":{"z":"-7"}})";
+constexpr const char* kOtherRapid = R"({"k":"rapid","b":1,"to":{"z":"-3"}})";
+constexpr const char* kFeed = R"({"k":"feed","b":1,"to":{"z":"-7"},"f":"1"})";
+
+TEST(Findings, cases_that_depart_in_one_way_are_one_finding_with_its_smallest) {
+  Findings findings;
+  const auto kind = VerdictKind::fail_geometry;
+  findings.add(departing("a", "GSK-G94-02", 5, kRapid, kOtherRapid), kind);
+  EXPECT_TRUE(findings.is_smallest());
+  findings.add(departing("b", "GSK-G94-02", 2, kRapid, kOtherRapid), kind);
+  EXPECT_TRUE(findings.is_smallest());
+  findings.add(departing("c", "GSK-G94-02", 3, kRapid, kOtherRapid), kind);
+  EXPECT_FALSE(findings.is_smallest());
+  ASSERT_EQ(findings.list().size(), 1U);
+  EXPECT_EQ(findings.list()[0]->line(),
+            "3 x fail.geometry at GSK-G94-02 (rapid), smallest: b, 2 blocks");
+}
+
+TEST(Findings, a_program_that_is_not_kept_is_no_example_while_there_is_another) {
+  Findings findings;
+  findings.add(departing("a", "", 0, "", ""), VerdictKind::fail_reading);
+  findings.add(departing("b", "", 9, "", ""), VerdictKind::fail_reading);
+  EXPECT_EQ(findings.list()[0]->smallest.id, "b");
+}
+
+TEST(Findings, kinds_of_record_and_clauses_are_kept_apart) {
+  Findings findings;
+  const auto kind = VerdictKind::fail_geometry;
+  findings.add(departing("a", "GSK-G94-02", 5, kRapid, kOtherRapid), kind);
+  findings.add(departing("b", "GSK-G94-02", 5, kFeed, kRapid), kind);
+  findings.add(departing("c", "GSK-G94-03", 5, kFeed, kRapid), kind);
+  ASSERT_EQ(findings.list().size(), 3U);
+  EXPECT_EQ(findings.list()[1]->text(), "fail.geometry at GSK-G94-02 (rapid for feed)");
+}
+
+TEST(Findings, a_wrong_path_comes_before_a_wrong_alarm_and_the_smaller_before_the_larger) {
+  Findings findings;
+  findings.add(departing("alarm", "A", 1, "", ""), VerdictKind::fail_alarm_class);
+  findings.add(departing("large", "B", 9, "", ""), VerdictKind::fail_geometry);
+  findings.add(departing("small", "C", 2, "", ""), VerdictKind::fail_geometry);
+  findings.add(departing("feed", "D", 1, "", ""), VerdictKind::fail_feed);
+  std::vector<std::string> order;
+  for (const Finding* finding : findings.list()) order.push_back(finding->smallest.id);
+  EXPECT_EQ(order, (std::vector<std::string>{"small", "large", "feed", "alarm"}));
+}
+
+TEST(Findings, those_of_one_cause_stand_together) {
+  Findings findings;
+  findings.add(departing("one", "A", 1, "", ""), VerdictKind::fail_geometry);
+  findings.add(departing("other", "B", 2, "", ""), VerdictKind::fail_geometry);
+  findings.add(departing("alarm", "C", 3, "", ""), VerdictKind::fail_alarm_class);
+  findings.set_cause(findings.list()[0]->key, {"the sign", ""});
+  findings.set_cause(findings.list()[2]->key, {"the sign", ""});
+  std::vector<std::string> order;
+  for (const Finding* finding : findings.list()) order.push_back(finding->smallest.id);
+  EXPECT_EQ(order, (std::vector<std::string>{"one", "alarm", "other"}));
+}
+
+TEST(Findings, what_is_go_advised_or_expected_is_none) {
+  Findings findings;
+  CaseHead gap = departing("gap", "", 1, "", "");
+  gap.expected = true;
+  EXPECT_EQ(findings.add(gap, VerdictKind::oracle_gap), nullptr);
+  EXPECT_EQ(findings.add(gap, VerdictKind::pass_exact), nullptr);
+  EXPECT_EQ(findings.add(gap, VerdictKind::advice), nullptr);
+  EXPECT_EQ(findings.add(gap, VerdictKind::skip), nullptr);
+  gap.expected = false;
+  EXPECT_NE(findings.add(gap, VerdictKind::oracle_gap), nullptr);
+}
+
+// A subject that breaks down in another way each time must not take memory without bound.
+TEST(Findings, further_kinds_are_counted_as_one) {
+  Findings findings;
+  for (char first = 'a'; first <= 'z'; ++first) {
+    for (char second = 'a'; second <= 'z'; ++second) {
+      CaseHead head = departing("x", "", 1, "", "");
+      head.message = std::string{first, second};
+      findings.add(head, VerdictKind::crash);
+    }
+  }
+  EXPECT_EQ(findings.list().size(), 201U);
+}
+
+TEST(CaseHeads, count_the_blocks_of_a_program_in_text_and_in_base64) {
+  CaseHead head;
+  ASSERT_TRUE(read_case_head(R"({"id":"a","program":"G0 X1\n\n  \nG1 X2\r\nM30"})", head));
+  EXPECT_EQ(head.program_blocks, 3U);
+  EXPECT_EQ(head.program_bytes, 20U);
+  // "G0\nG1\n" in base64
+  ASSERT_TRUE(read_case_head(R"({"id":"a","program":{"base64":"RzAKRzEK"}})", head));
+  EXPECT_EQ(head.program_blocks, 2U);
+  ASSERT_TRUE(read_case_head(R"({"id":"a"})", head));
+  EXPECT_EQ(head.program_blocks, 0U);
+}
+
+TEST(FindingText, steps_are_told_as_people_write_them) {
+  EXPECT_EQ(want_and_got(kRapid, kOtherRapid), "want rapid Z-7 / got rapid Z-3");
+  EXPECT_EQ(want_and_got(kFeed, ""), "want feed Z-7 F1 / got nothing");
+  EXPECT_EQ(short_step(R"({"k":"alarm","class":"taper-limit","b":2,"word":"R"})"),
+            "alarm taper-limit of R in line 2");
+  EXPECT_EQ(short_step("end"), "end");
+  EXPECT_EQ(want_and_got("", ""), "");
+}
+
+TEST(FindingText,
+     a_step_says_which_way_round_and_in_which_plane_and_a_line_only_where_two_are_named) {
+  EXPECT_EQ(
+      want_and_got(
+          R"({"k":"arc","b":2,"plane":"G18","c":{"x":"1","z":"7/3"},"rot":-1,"to":{"x":"1"},"f":"9"})",
+          R"({"k":"arc","b":2,"plane":"G18","c":{"x":"1","z":"2"},"rot":3,"to":{"x":"1"},"f":"9","fm":"rev"})"),
+      "want arc X1 in G18 about X1 Z2.333333333... clockwise F9 / "
+      "got arc X1 in G18 about X1 Z2 counterclockwise in 3 turns F9 a revolution");
+  EXPECT_EQ(want_and_got(R"({"k":"m","b":3,"m":2})", R"({"k":"m","b":2,"m":2})"),
+            "want M2 in line 3 / got M2 in line 2");
+}
+
+// All that a finding has, in one order for all who tell it.
+TEST(FindingText, has_what_the_case_is_about_its_machine_the_block_both_steps_and_what_to_do) {
+  FindingFacts facts;
+  facts.comment = "a taper";
+  facts.profile = R"({"units":"inch"})";
+  facts.blocks = marked_blocks("G0 X1\nG94 X2\n", 2);
+  facts.want = kRapid;
+  facts.got = kOtherRapid;
+  facts.message = "It ends early.";
+  facts.rule = "R4";
+  facts.clause = "GSK-NONE";
+  facts.block = 2;
+  facts.deviation_exact = "1/3";
+  facts.deviation_mm = "0.333333333";
+  facts.next = "gonogo certify --case a";
+  EXPECT_EQ(finding_text(facts, "  "),
+            "  about      a taper\n"
+            "  machine    units inch\n"
+            "  1 | G0 X1\n"
+            "  2 | G94 X2\n"
+            "    | ^^^^^^\n"
+            "  want rapid Z-7 / got rapid Z-3\n"
+            "  It ends early.\n"
+            "  rule       R4 (traverse)\n"
+            "  clause     GSK-NONE\n"
+            "  deviation  0.333333333 mm (exactly 1/3)\n"
+            "  again      gonogo certify --case a\n");
+}
+
+TEST(FindingText, the_block_that_departs_is_marked) {
+  EXPECT_EQ(marked_blocks("G0 X1\r\nG94 X2\nM30\nM2\n", 2),
+            "1 | G0 X1\n2 | G94 X2\n  | ^^^^^^\n3 | M30\n");
+  EXPECT_EQ(marked_blocks("G0\n", 0), "");
+  EXPECT_EQ(marked_blocks("G0\n", 2), "");
+  EXPECT_EQ(marked_blocks("\xE4\n", 1), "1 | ?\n  | ^\n");
+}
+
+TEST(FindingText, the_machine_is_told_where_it_is_not_the_default) {
+  EXPECT_EQ(other_machine("{}"), "");
+  EXPECT_EQ(other_machine(R"({"units":"inch","initial":{"feed":"5"},"readings":{"a.b":"c"}})"),
+            "units inch; initial.feed 5; a.b c");
+}
+
+// Five cases of two cycles, each counted once.
+TEST(CycleTable, counts_every_case_once_and_shows_first_what_fails) {
+  RunScope scope;
+  const auto add = [&](const char* cycle, VerdictKind kind, bool expected = false) {
+    CaseHead head = departing("a", "", 1, "", "");
+    head.cycle = cycle;
+    head.expected = expected;
+    scope.add(head, kind);
+  };
+  add("g90", VerdictKind::pass_exact);
+  add("g94", VerdictKind::fail_geometry);
+  add("g94", VerdictKind::pass_exact);
+  add("g94", VerdictKind::oracle_gap, true);
+  add("g112", VerdictKind::skip);
+  const CycleTable table = cycle_table(scope);
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.text(20),
+            "  cycle  judged      GO   NO-GO  not covered\n"
+            "  g94         2       1       1            1\n"
+            "  g90         1       1       0            0\n"
+            "  nothing judged: g112 1\n");
+  EXPECT_EQ(table.text(1),
+            "  cycle  judged      GO   NO-GO  not covered\n"
+            "  g94         2       1       1            1\n"
+            "  and 1 more\n"
+            "  nothing judged: g112 1\n");
+  EXPECT_EQ(scope.judged() + scope.skipped() + scope.undecided() + scope.known() + scope.advised() +
+                scope.not_covered(),
+            5U);
+}
+
+TEST(Causes, are_kept_beside_the_results_and_gone_with_the_next_run) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "gonogo-causes";
+  std::filesystem::create_directories(folder);
+  const Finding::Key key{gravity(VerdictKind::fail_feed), VerdictKind::fail_feed, "rs274", "NGC-1",
+                         "feed/feed"};
+  evidence::write_causes(folder, {{{key, {"F is \xC3\xA4", "It explains all."}}}, 3});
+  const evidence::Causes read = evidence::read_causes(folder);
+  ASSERT_EQ(read.of.size(), 1U);
+  EXPECT_EQ(read.of.at(key).text(), "Behaves as if: F is \xC3\xA4. It explains all.");
+  EXPECT_EQ(read.asked, 3U);
+  evidence::write_causes(folder, {});
+  EXPECT_TRUE(evidence::read_causes(folder).of.empty());
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
