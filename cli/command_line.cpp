@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "cli/exit_code.hpp"
-#include "cli/nearest_word.hpp"
 #include "cli/output.hpp"
+#include "reference/nearest_word.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -175,9 +175,9 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (!command->get_group().empty()) names.push_back(command->get_name());
   }
-  const std::string near = nearest_word(word, names);
-  return "There is no command \"" + word + "\". " + did_you_mean(near) + "There are " + known +
-         ".\n";
+  const std::string near = reference::nearest_word(word, names);
+  return "There is no command \"" + word + "\". " + reference::did_you_mean(near) + "There are " +
+         known + ".\n";
 }
 
 // "Did you mean --dialect?" for each option that the command does not have.
@@ -198,7 +198,7 @@ std::string suggestions(const CLI::App& app, int argc, char** argv) {
       for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
     }
     if (std::ranges::find(known, word) != known.end()) continue;
-    const std::string near = nearest_word(word, known);
+    const std::string near = reference::nearest_word(word, known);
     if (!near.empty()) text += "There is no " + word + ". Did you mean " + near + "?\n";
   }
   return text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/program_file.hpp"
-#include "cli/nearest_word.hpp"
+#include "reference/nearest_word.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -187,9 +187,10 @@ reference::Profile load_profile(const ProfileOptions& options) {
     if (reference::find_dialect(options.dialect) == nullptr) {
       std::vector<std::string> names;
       for (const auto& dialect : reference::dialects()) names.emplace_back(dialect.name);
-      throw UsageError(fmt::format(
-          "There is no dialect \"{}\". {}Write one of: {}.", options.dialect,
-          did_you_mean(nearest_word(options.dialect, names)), reference::dialect_names()));
+      throw UsageError(
+          fmt::format("There is no dialect \"{}\". {}Write one of: {}.", options.dialect,
+                      reference::did_you_mean(reference::nearest_word(options.dialect, names)),
+                      reference::dialect_names()));
     }
     profile = checked(reference::default_profile(options.dialect), "");
   }

@@ -5,10 +5,10 @@
 
 #include <filesystem>
 
-#include "cli/nearest_word.hpp"
+#include "capture/capture_subject.hpp"
 #include "cli/program_file.hpp"
 #include "expanders/registry.hpp"
-#include "capture/capture_subject.hpp"
+#include "reference/nearest_word.hpp"
 #include "subjects/library_subject.hpp"
 
 namespace gonogo::cli {
@@ -25,7 +25,8 @@ oracle::SubjectMaker builtin_maker(const std::string& rest) {
     }
     const std::vector<std::string> names(expanders::names().begin(), expanders::names().end());
     throw UsageError(fmt::format("There is no built-in expander \"{}\". {}Write one of: {}.", name,
-                                 did_you_mean(nearest_word(name, names)), known));
+                                 reference::did_you_mean(reference::nearest_word(name, names)),
+                                 known));
   }
   const gonogo_subject_v1* subject = expanders::find(name, fault);
   if (subject == nullptr) {
@@ -34,7 +35,7 @@ oracle::SubjectMaker builtin_maker(const std::string& rest) {
     throw UsageError(
         fmt::format("The expander {} has no planted fault \"{}\". {}`gonogo faults "
                     "--list` names them.",
-                    name, fault, did_you_mean(nearest_word(fault, faults))));
+                    name, fault, reference::did_you_mean(reference::nearest_word(fault, faults))));
   }
   return [subject] { return oracle::make_interface_subject(*subject); };
 }
@@ -56,7 +57,7 @@ oracle::SubjectMaker library_maker(const std::string& path, const oracle::Limits
   const bool is_there = std::filesystem::exists(path);
   const std::vector<std::string> others =
       is_there ? std::vector<std::string>() : libraries_beside(path);
-  if (const std::string near = nearest_word(path, others); !near.empty()) {
+  if (const std::string near = reference::nearest_word(path, others); !near.empty()) {
     throw UsageError(fmt::format("There is no library {}. Did you mean lib:{}?", path, near));
   }
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reference/dialect.hpp"
+#include "reference/nearest_word.hpp"
 
 namespace gonogo::reference {
 
@@ -30,14 +31,29 @@ ProfileResult default_profile(std::string_view dialect) {
   return profile;
 }
 
+namespace {
+
+// "Did you mean gsk.g94.after-00? "
+std::string meant(std::string_view name, std::string_view dialect) {
+  std::vector<std::string> known;
+  for (const Reading& reading : readings()) {
+    if (reading.belongs_to(dialect)) known.emplace_back(reading.name);
+  }
+  return did_you_mean(nearest_word(std::string(name), known));
+}
+
+}  // namespace
+
 std::optional<ProfileError> set_reading(Profile& profile, std::string_view name,
                                         std::string_view value) {
   const Reading* found = find_reading(name);
   std::string key = fmt::format("readings.{}", name);
   if (found == nullptr || !found->belongs_to(profile.dialect)) {
-    return ProfileError{key, fmt::format("There is no reading \"{}\" in dialect {}. `gonogo spec "
-                                         "--dialect {}` lists them.",
-                                         name, profile.dialect, profile.dialect)};
+    return ProfileError{
+        key,
+        fmt::format(
+            "There is no reading \"{}\" in dialect {}. {}`gonogo spec --dialect {}` lists them.",
+            name, profile.dialect, meant(name, profile.dialect), profile.dialect)};
   }
   if (!admits(*found, value)) {
     std::string choices = found->is_length ? std::string("a length in mm") : std::string("any");

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "subjects/make_subject.hpp"
 #include "reference/profile.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::oracle {
 

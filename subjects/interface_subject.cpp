@@ -4,10 +4,10 @@
 #include <chrono>
 #include <utility>
 
-#include "subjects/make_subject.hpp"
 #include "subjects/configuration.hpp"
 #include "subjects/interface_handle.hpp"
 #include "subjects/interface_record.hpp"
+#include "subjects/make_subject.hpp"
 #include "subjects/start_reply.hpp"
 
 namespace gonogo::oracle {

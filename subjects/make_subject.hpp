@@ -40,7 +40,8 @@ struct Limits {
   std::chrono::milliseconds run{2'000};
   std::size_t line_bytes = std::size_t{64} << 20;
   std::size_t memory_bytes = std::size_t{2} << 30;
-  int restarts = 10;  // in a row
+  std::size_t processes = 512;  // at once, of the subject and all that it starts
+  int restarts = 10;            // in a row
   // Names of variables that the subject is given besides those that every one is.
   std::vector<std::string> environment;
   Sandbox sandbox;

@@ -63,10 +63,9 @@ class OneshotRun {
             RunEnd::Kind::timeout,
             fmt::format("The subject did not end within {} ms.", limits_.run.count()));
       }
-      if (event == Process::Event::memory) {
-        return RunEnd::of(
-            RunEnd::Kind::out_of_memory,
-            fmt::format("The subject held more than {} MiB.", limits_.memory_bytes >> 20));
+      if (event == Process::Event::excess) {
+        return RunEnd::of(RunEnd::Kind::out_of_memory,
+                          fmt::format("The subject {}.", process_.excess()));
       }
       if (auto end = read_lines()) return *std::move(end);
       if (event == Process::Event::exited) return read_ending();

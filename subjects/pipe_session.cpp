@@ -119,10 +119,9 @@ PipeSession::Parsed PipeSession::read_line() {
         return fail(RunEnd::Kind::timeout, fmt::format("The subject gave no answer within {} ms "
                                                        "while {}.",
                                                        time_.count(), doing_));
-      case Process::Event::memory:
+      case Process::Event::excess:
         return fail(RunEnd::Kind::out_of_memory,
-                    fmt::format("The subject held more than {} MiB while {}.",
-                                limits_.memory_bytes >> 20, doing_));
+                    fmt::format("The subject {} while {}.", process_.excess(), doing_));
     }
   }
 }

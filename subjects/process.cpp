@@ -24,7 +24,8 @@ namespace {
 
 constexpr std::size_t kMostNotes = 16384;
 constexpr int kLongestWaitMs = 25;  // between two looks at the process itself
-constexpr auto kMemoryEvery = std::chrono::milliseconds(20);
+constexpr auto kSizeEvery = std::chrono::milliseconds(20);
+constexpr std::size_t kBlock = 512;  // bytes, the unit of ulimit
 
 [[noreturn]] void fail(int error, const char* what) {
   throw std::system_error(error, std::generic_category(), what);
@@ -75,6 +76,12 @@ std::vector<std::string> environment_of(const Limits& limits) {
   return environment;
 }
 
+// The command, with no core files and no file longer than the memory that it may have.
+std::string limited(const std::string& command, const Limits& limits) {
+  return fmt::format("ulimit -c 0 2>/dev/null; ulimit -f {} 2>/dev/null; {}",
+                     limits.memory_bytes / kBlock, command);
+}
+
 // The settings of a new process: own session, no blocked or ignored signals, three pipes.
 class SpawnSettings {
  public:
@@ -100,9 +107,10 @@ class SpawnSettings {
     posix_spawnattr_destroy(&attributes_);
   }
   pid_t spawn_shell(const std::string& command, const Limits& limits) const {
+    const std::string script = limited(command, limits);
     std::vector<std::string> words =
-        limits.sandbox.is_on() ? sandbox_words(limits.sandbox, command, limits.memory_bytes)
-                               : std::vector<std::string>{"/bin/sh", "-c", command};
+        limits.sandbox.is_on() ? sandbox_words(limits.sandbox, script, limits.memory_bytes)
+                               : std::vector<std::string>{"/bin/sh", "-c", script};
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -171,7 +179,7 @@ std::string Ending::text() const {
 }
 
 Process::Process(const std::string& command, const Limits& limits)
-    : memory_bytes_(limits.memory_bytes) {
+    : memory_bytes_(limits.memory_bytes), processes_(limits.processes) {
   Pipe in = make_pipe();
   Pipe out = make_pipe();
   Pipe err = make_pipe();
@@ -179,12 +187,13 @@ Process::Process(const std::string& command, const Limits& limits)
   make_nonblocking(out.read);
   make_nonblocking(err.read);
   const SpawnSettings settings(in.read.get(), out.write.get(), err.write.get());
-  pid_ = begin_family([&] { return settings.spawn_shell(command, limits); });
+  pid_ = begin_family([&] { return settings.spawn_shell(command, limits); },
+                      ControlGroup::make(limits.memory_bytes, limits.processes));
   input_ = std::move(in.write);
   output_ = std::move(out.read);
   errors_ = std::move(err.read);
-  memory_checked_ = Clock::now();
-  deadline_ = memory_checked_;
+  size_checked_ = Clock::now();
+  deadline_ = size_checked_;
 }
 
 Process::~Process() {
@@ -244,11 +253,17 @@ bool Process::has_exited() const {
          info.si_pid == pid_;
 }
 
-bool Process::over_memory() {
+bool Process::has_too_much() {
   const auto now = Clock::now();
-  if (now - memory_checked_ < kMemoryEvery) return false;
-  memory_checked_ = now;
-  return resident_bytes(pid_) > memory_bytes_;
+  if (now - size_checked_ < kSizeEvery) return false;
+  size_checked_ = now;
+  const FamilySize size = size_of_family(pid_);
+  if (size.resident_bytes > memory_bytes_) {
+    excess_ = fmt::format("held more than {} MiB", memory_bytes_ >> 20);
+  } else if (size.processes > processes_) {
+    excess_ = fmt::format("had more than {} processes at once", processes_);
+  }
+  return !excess_.empty();
 }
 
 int Process::wait_ms(Clock::time_point now) {
@@ -265,7 +280,7 @@ Process::Event Process::pump(LineBuffer& output) {
     const bool expired = now >= deadline_;
     if (expired && overtime_) return Event::deadline;
     overtime_ = expired;  // what has come by now still counts, once
-    if (!expired && over_memory()) return Event::memory;
+    if (!expired && has_too_much()) return Event::excess;
     std::array<pollfd, 3> fds = {
         pollfd{output_.get(), POLLIN, 0}, pollfd{errors_.get(), POLLIN, 0},
         pollfd{written_ < pending_.size() ? input_.get() : -1, POLLOUT, 0}};

@@ -13,8 +13,8 @@
 #include <string>
 #include <utility>
 
-#include "subjects/make_subject.hpp"
 #include "subjects/line_buffer.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::oracle {
 
@@ -62,7 +62,7 @@ class Process {
     closed,  // stdout was closed
     exited,  // and all that had been written has been read
     deadline,
-    memory,  // it holds more than allowed
+    excess,  // it holds more memory, or has more processes, than allowed: see `excess`
   };
 
   // Throws std::system_error when the system cannot start a process.
@@ -89,12 +89,15 @@ class Process {
   // Kills all of it, reaps the process and returns how it ended. May be called again.
   const Ending& kill();
 
+  // What it had too much of, after Event::excess: "held more than 2048 MiB".
+  const std::string& excess() const { return excess_; }
+
   // What came on stderr since the last call: readable, cut.
   std::string take_notes();
 
  private:
   bool has_exited() const;
-  bool over_memory();
+  bool has_too_much();
   int wait_ms(Clock::time_point now);
   void write_input();
   void read_notes();
@@ -110,8 +113,10 @@ class Process {
   bool overtime_ = false;  // the last look after the deadline has been taken
   int poll_ms_ = 1;
   Clock::time_point deadline_;
-  Clock::time_point memory_checked_;
+  Clock::time_point size_checked_;
   std::size_t memory_bytes_;
+  std::size_t processes_;
+  std::string excess_;
   std::string notes_;
   std::size_t notes_cut_ = 0;
   Ending ending_;

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "subjects/process_family.hpp"
 
-#include <csignal>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <csignal>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace gonogo::oracle {
@@ -26,7 +28,7 @@ constexpr std::size_t kMostProcesses = 4096;
 
 struct Families {
   std::mutex mutex;
-  std::set<pid_t> first;  // of each subject that runs
+  std::map<pid_t, ControlGroup> first;  // of each subject that runs, with its group
 };
 
 Families& families() {
@@ -87,32 +89,38 @@ void end_all(const Collect& collect) {
 
 }  // namespace
 
-pid_t begin_family(const std::function<pid_t()>& spawn) {
+pid_t begin_family(const std::function<pid_t()>& spawn, ControlGroup group) {
   static const bool adopts = ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) == 0;
   static_cast<void>(adopts);
   const std::lock_guard lock(families().mutex);
   const pid_t first = spawn();
-  families().first.insert(first);
+  group.add(first);
+  families().first.emplace(first, std::move(group));
   return first;
 }
 
-std::size_t resident_bytes(pid_t first) {
-  std::vector<pid_t> family;
+FamilySize size_of_family(pid_t first) {
+  std::vector<pid_t> found;
+  std::vector<pid_t> grouped;
   {
     const std::lock_guard lock(families().mutex);
-    family = orphans_of(first);
+    found = orphans_of(first);
+    grouped = families().first.at(first).processes();
   }
-  family.push_back(first);
-  add_descendants(family);
-  std::size_t sum = 0;
-  for (const pid_t process : family) sum += resident_bytes_of(process);
-  return sum;
+  found.push_back(first);
+  add_descendants(found);
+  std::set<pid_t> family(found.begin(), found.end());
+  family.insert(grouped.begin(), grouped.end());
+  FamilySize size{0, family.size()};
+  for (const pid_t process : family) size.resident_bytes += resident_bytes_of(process);
+  return size;
 }
 
 int end_family(pid_t first) {
   const std::lock_guard lock(families().mutex);
   std::vector<pid_t> family = {first};
   add_descendants(family);
+  families().first.at(first).kill();
   ::kill(-first, SIGKILL);
   for (const pid_t process : family) ::kill(process, SIGKILL);
   int status = 0;

@@ -9,14 +9,21 @@
 #include <cstddef>
 #include <functional>
 
+#include "subjects/control_group.hpp"
+
 namespace gonogo::oracle {
 
-// Starts the first process of a subject, the leader of a session of its own.
-pid_t begin_family(const std::function<pid_t()>& spawn);
+// Starts the first process of a subject, the leader of a session of its own, in `group` if there
+// is one.
+pid_t begin_family(const std::function<pid_t()>& spawn, ControlGroup group);
 
-// Memory that it and all that came of it hold now. What has left both its parent and the session
-// counts for every subject: its owner is unknown.
-std::size_t resident_bytes(pid_t first);
+// Memory that it and all that came of it hold now, and how many processes they are. What has left
+// both its parent and the session counts for every subject: its owner is unknown.
+struct FamilySize {
+  std::size_t resident_bytes = 0;
+  std::size_t processes = 0;
+};
+FamilySize size_of_family(pid_t first);
 
 // Ends all of them, also those that left their group, and reaps those that are this program's
 // children. Processes of unknown owner end with the last subject.

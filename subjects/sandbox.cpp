@@ -46,8 +46,9 @@ std::vector<std::string> plain_words(const std::string& command) {
   return words;
 }
 
-// What the command needs of the places that the sandbox has of its own: the folder below one of them
-// in which it stands or that has a file of it, for a program needs more than the file that is named.
+// What the command needs of the places that the sandbox has of its own: the folder below one of
+// them in which it stands or that has a file of it, for a program needs more than the file that is
+// named.
 std::vector<fs::path> needed(const std::string& command) {
   std::error_code ignored;
   std::vector<std::string> places = plain_words(command);

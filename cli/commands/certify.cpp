@@ -33,7 +33,6 @@
 #include "cli/fresh_run.hpp"
 #include "cli/gauge.hpp"
 #include "cli/known_failures_file.hpp"
-#include "cli/nearest_word.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -51,6 +50,7 @@
 #include "publish/report/command.hpp"
 #include "publish/report/json_value.hpp"
 #include "reference/dialect.hpp"
+#include "reference/nearest_word.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::cli {
@@ -362,9 +362,9 @@ void check_cycles(const CertifyOptions& options, const oracle::Corpus& corpus) {
   });
   for (const std::string& cycle : options.cycles) {
     if (known.contains(cycle)) continue;
-    throw UsageError(fmt::format("The corpus has no cycle {}. {}`gonogo corpus cycles` names them.",
-                                 cycle,
-                                 did_you_mean(nearest_word(cycle, {known.begin(), known.end()}))));
+    throw UsageError(fmt::format(
+        "The corpus has no cycle {}. {}`gonogo corpus cycles` names them.", cycle,
+        reference::did_you_mean(reference::nearest_word(cycle, {known.begin(), known.end()}))));
   }
 }
 
@@ -578,7 +578,10 @@ void draw_seed(CertifyOptions& options) {
 void check_clauses(const CertifyOptions& options) {
   for (const std::string& id : options.clauses) {
     if (oracle::report::find_clause(id) != nullptr) continue;
-    throw UsageError(fmt::format("There is no clause {}. `gonogo spec` prints them all.", id));
+    std::vector<std::string> known;
+    for (const reference::Clause& clause : reference::clauses()) known.emplace_back(clause.id);
+    throw UsageError(fmt::format("There is no clause {}. {}`gonogo spec` prints them all.", id,
+                                 reference::did_you_mean(reference::nearest_word(id, known))));
   }
 }
 

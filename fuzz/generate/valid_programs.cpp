@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "oracle/judge/judge_session.hpp"
-#include "oracle/steps/program_input.hpp"
 #include "fuzz/program/features.hpp"
 #include "fuzz/program/lines.hpp"
+#include "oracle/judge/judge_session.hpp"
+#include "oracle/steps/program_input.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::generate {
@@ -82,7 +82,7 @@ void ValidPrograms::leave_out_features(GeneratedProgram& program) {
   std::string kept;
   for (const program::ProgramLine& line : program::program_lines(program.text)) {
     const std::string longer = fmt::format("{}{}{}", kept, line.text, line.end);
-    const std::set<std::string> needed = program::features_needed({program.profile, longer});
+    const std::set<std::string> needed = program::features_of_part({program.profile, longer});
     if (std::ranges::includes(options_.features, needed)) {
       kept = longer;
     } else {
@@ -90,6 +90,13 @@ void ValidPrograms::leave_out_features(GeneratedProgram& program) {
     }
   }
   program.text = std::move(kept);
+}
+
+// Whether the program as a whole, plain as it may be now, needs declared ones alone.
+bool ValidPrograms::has_features(const GeneratedProgram& program) const {
+  return options_.features.empty() ||
+         std::ranges::includes(options_.features,
+                               program::features_needed({program.profile, program.text}));
 }
 
 // False: it is refused for something that no block is at fault for.
@@ -111,7 +118,7 @@ std::optional<GeneratedProgram> ValidPrograms::of_seed(std::uint64_t seed) {
   ++count_.programs;
   count_.blocks += static_cast<std::size_t>(std::ranges::count(program.text, '\n'));
   leave_out_features(program);
-  if (!leave_out_refused(program) || !has_block(program.text)) {
+  if (!leave_out_refused(program) || !has_block(program.text) || !has_features(program)) {
     ++count_.thrown_out;
     return std::nullopt;
   }

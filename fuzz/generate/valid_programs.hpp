@@ -44,6 +44,7 @@ class ValidPrograms {
 
  private:
   void leave_out_features(GeneratedProgram& program);
+  bool has_features(const GeneratedProgram& program) const;
   bool leave_out_refused(GeneratedProgram& program);
 
   const Generator& generator_;

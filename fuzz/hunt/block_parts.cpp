@@ -235,7 +235,7 @@ Parts parts_of_block(const TextBlock& block, const reference::Descriptor& table)
   if (!block.words.empty() && block.end.starts_with('\r')) {
     parts.insert(block.end.size() == 1 ? "text CR" : "text CR LF");
   }
-  for (const std::string& feature : program::features_needed(table, block)) {
+  for (const std::string& feature : program::features_of_part(table, block)) {
     parts.insert("feature " + feature);
   }
   return parts;

@@ -45,6 +45,17 @@ bool is_used(reference::Use use, bool is_repeated, const BlockModes& modes) {
   return false;
 }
 
+constexpr std::string_view kBasic = "basic";
+
+// What stands around every cycle and path: straight motions, modes, the end of a cycle, M
+// functions.
+bool is_plain(const Code& code) {
+  using reference::Kind;
+  constexpr Kind kPlain[] = {Kind::mode,    Kind::traverse, Kind::line,       Kind::off,
+                             Kind::machine, Kind::stop,     Kind::program_end};
+  return code.feature == kBasic && std::ranges::find(kPlain, code.kind) != std::end(kPlain);
+}
+
 // O with more than a name (NGC-COM-06).
 bool is_line_of_o_word(const TextBlock& block) {
   const auto is_o = [](const TextWord& word) { return address_of(word) == "O"; };
@@ -74,7 +85,7 @@ class Needs {
     for (const std::string& name : block.codes) {
       const Code* const code = table_.find(name);
       if (code == nullptr) continue;
-      add(code->feature);
+      if (!is_plain(*code)) add(code->feature);
       takers.push_back(code);
     }
     for (const TextWord& word : block.words) {
@@ -152,27 +163,33 @@ class Needs {
   }
 
   const reference::Descriptor& table_;
-  std::set<std::string> features_ = {"basic"};
+  std::set<std::string> features_;
 };
 
 }  // namespace
 
-std::set<std::string> features_needed(const ProgramText& program) {
-  Needs needs(*program.table);
-  for (const TextBlock& block : program.blocks) needs.take(block);
+std::set<std::string> features_of_part(const ProgramText& part) {
+  Needs needs(*part.table);
+  for (const TextBlock& block : part.blocks) needs.take(block);
   return std::move(needs).features();
 }
 
-std::set<std::string> features_needed(const reference::Descriptor& table, const TextBlock& block) {
+std::set<std::string> features_of_part(const reference::Descriptor& table, const TextBlock& block) {
   Needs needs(table);
   needs.take(block);
   return std::move(needs).features();
 }
 
+std::set<std::string> features_needed(const ProgramText& program) {
+  std::set<std::string> features = features_of_part(program);
+  if (features.empty()) features.emplace(kBasic);
+  return features;
+}
+
 std::vector<std::string> features_of_case(const ProgramText& program,
                                           const std::vector<std::string>& stated) {
   constexpr std::array<std::string_view, 3> kBesideAll = {"arc-distance", "rotary", "linuxcnc"};
-  const std::set<std::string> needed = features_needed(program);
+  const std::set<std::string> needed = features_of_part(program);
   const auto is_cycle = [&](const std::string& name) {
     return std::ranges::any_of(program.table->codes, [&](const Code& code) {
       return code.kind == reference::Kind::cycle && code.feature == name;
@@ -187,7 +204,7 @@ std::vector<std::string> features_of_case(const ProgramText& program,
     const bool is_new = std::ranges::find(features, name) == features.end();
     if (is_new && needed.contains(std::string(name))) features.emplace_back(name);
   }
-  if (features.empty()) features.emplace_back("basic");
+  if (features.empty()) features.emplace_back(kBasic);
   return features;
 }
 

@@ -11,11 +11,14 @@
 
 namespace gonogo::program {
 
-// Words of `gonogo spec --features`; "basic" always. Rather a feature too many than one
-// too few.
+// Words of `gonogo spec --features`. Rather a feature too many than one too few. What moves
+// straight and sets modes needs "basic" only where it stands alone: it stands around every cycle
+// and path.
 std::set<std::string> features_needed(const ProgramText& program);
-// The same of one of its blocks.
-std::set<std::string> features_needed(const reference::Descriptor& table, const TextBlock& block);
+
+// Those of some lines or of one block of a program; none where these are plain.
+std::set<std::string> features_of_part(const ProgramText& part);
+std::set<std::string> features_of_part(const reference::Descriptor& table, const TextBlock& block);
 
 // Those of a case of the corpus: the stated ones, except cycles where the program has none of
 // them, and what any program may have beside.

@@ -5,8 +5,8 @@
 
 #include <set>
 
-#include "fuzz/hunt/coverage.hpp"
 #include "corpus/io/recheck.hpp"
+#include "fuzz/hunt/coverage.hpp"
 
 namespace gonogo::hunt {
 namespace {

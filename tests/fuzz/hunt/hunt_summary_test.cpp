@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../identify/secret_subject.hpp"
 #include "fuzz/hunt/campaign.hpp"
 #include "fuzz/hunt/campaign_page.hpp"
 #include "fuzz/hunt/finding_files.hpp"
-#include "../identify/secret_subject.hpp"
-#include "hunting.hpp"
 #include "fuzz/identify/shared_causes.hpp"
+#include "hunting.hpp"
 
 namespace gonogo::hunt::testing {
 namespace {

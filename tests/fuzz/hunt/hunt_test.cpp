@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hunting.hpp"
 #include "fuzz/program/text.hpp"
+#include "hunting.hpp"
 
 namespace gonogo::hunt::testing {
 namespace {

@@ -74,8 +74,8 @@ TEST(OperationHunt, IsAMethodOfTheKillMatrix) {
   options.methods = {Method::operations};
   options.most_seconds = 2;
   options.clean_programs = 50;
-  MatrixTarget faulty{"gsk+taper-sign", "GSK-G94-02", {"gsk988ta"}, builtin("gsk", "taper-sign"),
-                      builtin("gsk")};
+  MatrixTarget faulty{
+      "gsk+taper-sign", "GSK-G94-02", {"gsk988ta"}, builtin("gsk", "taper-sign"), builtin("gsk")};
   faulty.peers = {builtin("hnc")};
   const MatrixTarget sound{"gsk", "", {"gsk988ta"}, builtin("gsk"), builtin("gsk")};
   EXPECT_TRUE(matrix_row(faulty, options).kills.at(Method::operations).killed);

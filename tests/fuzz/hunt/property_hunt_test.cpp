@@ -5,8 +5,8 @@
 
 #include "expanders/registry.hpp"
 #include "fuzz/hunt/kill_matrix.hpp"
-#include "subjects/make_subject.hpp"
 #include "fuzz/program/text.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::hunt::testing {
 namespace {

@@ -28,8 +28,7 @@ std::set<std::uint64_t> shown_by(const std::vector<generate::GeneratedProgram>& 
 class Prunings : public ::testing::Test {
  protected:
   Prunings()
-      : folder_((fs::temp_directory_path() /
-                 fs::path("gonogo-prune-" + std::to_string(::getpid())))
+      : folder_((fs::temp_directory_path() / fs::path("gonogo-prune-" + std::to_string(::getpid())))
                     .string()) {
     fs::remove_all(folder_);
   }

@@ -80,6 +80,13 @@ TEST(SupportedFeatures, ASubjectThatDeclaresAPartIsJudgedOnNineOfTenPrograms) {
   EXPECT_GE(judged_part(hunt, 4'000), 0.9) << hunt.supported().left_out();
 }
 
+// What stands around a cycle is asked of a subject that declares the cycle alone.
+TEST(SupportedFeatures, ACycleAloneIsHuntedInItsOwnPrograms) {
+  Hunt hunt(partial({"g94"}, true, "taper-sign"), {}, hunting("gsk988ta"));
+  EXPECT_GE(judged_part(hunt, 1'000), 0.9) << hunt.supported().left_out();
+  EXPECT_GT(hunt.count().no_go, 0U);
+}
+
 TEST(SupportedFeatures, TheFaultOfAPartIsFound) {
   for (const bool says_so : {false, true}) {
     Hunt hunt(partial({"basic", "g94"}, says_so, "taper-sign"), {}, hunting("gsk988ta"));

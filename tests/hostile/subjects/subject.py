@@ -72,6 +72,14 @@ def children():
             sleep()
 
 
+def swarm():
+    """Many more processes than a subject needs, none of them large."""
+    for _ in range(3000):
+        if os.fork() == 0:
+            os.execvp("sleep", ["sleep", "600"])
+    sleep()
+
+
 def hog():
     held = []
     while True:
@@ -142,6 +150,7 @@ WORK = {
     "leaves-group": lambda: (leave_group(), sleep()),
     "daemon": lambda: daemon(sleep),
     "children": children,
+    "swarm": swarm,
     "hog-in-a-child": hog_in_a_child,
     "hog-away": lambda: (daemon(hog), sleep()),
     "slow": lambda: time.sleep(float(ARGUMENT)),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/nearest_word.hpp"
+#include "reference/nearest_word.hpp"
 
 #include <algorithm>
 #include <string_view>
 
-namespace gonogo::cli {
+namespace gonogo::reference {
 namespace {
 
 // How many letters have to be changed, left out or put in between two words.
@@ -47,4 +47,4 @@ std::string did_you_mean(const std::string& word) {
   return word.empty() ? word : "Did you mean " + word + "? ";
 }
 
-}  // namespace gonogo::cli
+}  // namespace gonogo::reference

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace gonogo::cli {
+namespace gonogo::reference {
 
 // The known word that is nearest to the one written, in large or small letters; empty: none is
 // near.
@@ -14,4 +14,4 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
 // "Did you mean taper-sign? "; nothing of nothing.
 std::string did_you_mean(const std::string& word);
 
-}  // namespace gonogo::cli
+}  // namespace gonogo::reference
