@@ -90,7 +90,9 @@ int change(const CiWords& words) {
   hunting.dialect = hunt_options(hunting).dialect;
   if (hunting.programs == 0) hunting.programs = kProgramsOfAChange;
   hunting.trial.out = words.report + "/found";
-  if (!words.campaign.empty()) shards_in(words.campaign);  // before anything runs
+  if (!words.campaign.empty()) {  // before anything runs
+    for (const std::string& shard : shards_in(words.campaign)) state_for(shard, hunting.dialect);
+  }
   const int judged = certify(certify_options(words));
   const int found = hunt_programs(hunting, what_is_known(words, hunting.dialect));
   return gravest(judged, found);

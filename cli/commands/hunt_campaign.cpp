@@ -105,9 +105,9 @@ int hunt_campaign(HuntWords words) {
   Output output;
   output.text() = finding_list_text(summary);
   output.text() += fmt::format(
-      "{}, {}: {} programs now; {} rounds of {} shards with {} programs are done, {} of them "
-      "judged with motion; {}\npage: {}/index.html\n",
-      words.trial.subject, words.dialect, board.programs(), summary.rounds, summary.shards,
+      "{}, {}: {} programs now; {} with {} programs are done, {} of them judged with motion; "
+      "{}\npage: {}/index.html\n",
+      words.trial.subject, words.dialect, board.programs(), rounds_text(summary),
       summary.count.programs, summary.count.moved, findings_text(summary), words.campaign);
   output.flush();
   if (board.failed()) return kUndecided;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "fuzz/hunt/finding_files.hpp"
 #include "corpus/io/files.hpp"
+#include "fuzz/hunt/finding_files.hpp"
 #include "oracle/records/finding_text.hpp"
 #include "oracle/records/output_file.hpp"
 #include "publish/report/case_paths.hpp"
@@ -27,6 +27,7 @@ using report::table;
 
 constexpr const char* kOwnStyle =
     "main > section { overflow-wrap: anywhere; }\n"
+    "th { overflow-wrap: normal; }\n"
     ".totals { display: flex; flex-wrap: wrap; gap: 10px; margin: 0; }\n"
     ".totals div { border: 1px solid var(--line); border-radius: 8px; padding: 8px 14px; }\n"
     ".totals dt { color: var(--soft); font-size: .87rem; }\n"
@@ -38,6 +39,9 @@ constexpr const char* kOwnStyle =
     ".figure svg { display: block; max-width: 100%; height: auto; }\n"
     "details { margin-top: 10px; }\n"
     "td.dates { white-space: nowrap; }\n"
+    "table[id^=symptoms-] td:first-child { min-width: 10em; overflow-wrap: break-word; }\n"
+    "@media (max-width: 700px) { td.dates { white-space: normal; min-width: 7em; } "
+    ".figure svg { max-width: none; } }\n"
     "#feature-table th + th, table[id^=symptoms-] th:nth-child(2) { text-align: right; }\n";
 
 std::string heads(std::initializer_list<const char*> names) {
@@ -55,7 +59,7 @@ std::string totals(const HuntSummary& summary) {
   std::string cells = total("programs", std::to_string(count.programs));
   if (summary.seconds > 0) {
     cells +=
-        total("programs a second of a shard",
+        total("programs a second, each shard",
               fmt::format("{:.0f}", static_cast<double>(summary.timed_programs) / summary.seconds));
   }
   cells += total("judged with motion", std::to_string(count.moved));
@@ -197,10 +201,10 @@ std::string campaign_page(const std::string& folder, const HuntSummary& summary)
   const std::string title = markup_text(summary.subject + ", " + summary.dialect);
   std::string out = report::page_head("Hunt: " + title, kOwnStyle, nullptr);
   out += fmt::format(
-      "<h1>Hunt: {}</h1>\n<p id=\"told\"><span class=\"badge {}\">{}</span> {} rounds of {} "
-      "shards</p>\n</header>\n<main>\n",
-      title, summary.standing() == 0 ? "go" : "no-go", findings_text(summary), summary.rounds,
-      summary.shards);
+      "<h1>Hunt: {}</h1>\n<p id=\"told\"><span class=\"badge {}\">{}</span> {} of {}</p>\n"
+      "</header>\n<main>\n",
+      title, summary.standing() == 0 ? "go" : "no-go", findings_text(summary),
+      rounds_text(summary));
   out += section("programs", "Programs", totals(summary));
   std::size_t number = 0;
   for (const CampaignFinding& finding : summary.findings) {

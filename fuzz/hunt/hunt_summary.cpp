@@ -159,6 +159,11 @@ std::string findings_text(const HuntSummary& summary) {
   return mended == 0 ? text : text + fmt::format("; {} mended", mended);
 }
 
+std::string rounds_text(const HuntSummary& summary) {
+  return fmt::format("{} of {}", oracle::counted(summary.rounds, "round", "rounds"),
+                     oracle::counted(summary.shards, "shard", "shards"));
+}
+
 std::string cause_text(const CampaignFinding& finding) {
   if (!finding.cause.empty()) return oracle::Cause{finding.cause, {}}.text();
   return "No one mistake that was tried explains it.";

@@ -74,6 +74,8 @@ std::string clauses_text(const CampaignFinding& finding);
 std::string symptoms_text(const CampaignFinding& finding);
 // "1 finding, 35 symptoms", of those that stand; "; 2 mended" behind.
 std::string findings_text(const HuntSummary& summary);
+// "2 rounds of 1 shard".
+std::string rounds_text(const HuntSummary& summary);
 // Every finding with its cause and its symptoms, for a terminal.
 std::string finding_list_text(const HuntSummary& summary);
 

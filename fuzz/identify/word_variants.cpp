@@ -48,6 +48,7 @@ struct Operation {
   std::function<std::optional<Number>(const Number&)> value;
   bool (*where)(const TextBlock& block) = everywhere;
   std::string_view opposite = {};  // its name
+  bool of_steps = false;           // of words by which a cycle goes on again and again alone
 };
 
 bool under_inches(const TextBlock& block) {
@@ -79,6 +80,11 @@ const std::vector<Operation>& operations() {
        [](const Number& v) -> Value { return v * 1'000'000; }},
       {"is halved where X is a radius", [](const Number& v) -> Value { return v / 2; },
        where_x_is_a_radius},
+      {"has no effect: one step goes all the way",
+       [](const Number& v) -> Value { return v * 1000; },
+       everywhere,
+       {},
+       true},
       {"is 1000 times too large, milli for one", [](const Number& v) -> Value { return v * 1000; },
        everywhere, "is 1000 times too small, one for milli"},
       {"is 1000 times too small, one for milli", [](const Number& v) -> Value { return v / 1000; }},
@@ -102,7 +108,12 @@ void add_edit(std::string name, program::WordEdit edit, Variants& out) {
                  }});
 }
 
-void add_operations(const Scope& scope, Variants& out) {
+bool is_step(const TextBlock& block, const TextWord& word, const reference::Descriptor& table) {
+  const reference::CodeWord* const known = block.role_of(word, table);
+  return known != nullptr && known->role == Role::step;
+}
+
+void add_operations(const Scope& scope, const reference::Descriptor& table, Variants& out) {
   // The simplest goes first: what is ignored may be too small to matter as well.
   add_edit(
       fmt::format("{} is ignored", scope.name()),
@@ -114,9 +125,10 @@ void add_operations(const Scope& scope, Variants& out) {
   for (const Operation& operation : operations()) {
     add_edit(
         fmt::format("{} {}", scope.name(), operation.name),
-        [scope, &operation](const TextBlock& block,
-                            const TextWord& word) -> std::optional<std::string> {
+        [scope, &operation, &table](const TextBlock& block,
+                                    const TextWord& word) -> std::optional<std::string> {
           if (!scope.has(block, word) || !operation.where(block)) return std::nullopt;
+          if (operation.of_steps && !is_step(block, word, table)) return std::nullopt;
           const auto written = exact_value_of(word);
           const auto value = written ? operation.value(*written) : std::nullopt;
           if (!value) return std::nullopt;
@@ -254,11 +266,11 @@ void add_word_variants(const Observation& departure, Variants& out) {
     if (present > 1 && std::ranges::find(sets, kin) == sets.end()) sets.push_back(kin);
   }
   for (const Addresses& set : sets) {
-    add_operations({set}, out);
+    add_operations({set}, table, out);
     for (const Motions& motions : motions_concerned(departure)) {
-      add_operations({set, motions}, out);
+      add_operations({set, motions}, table, out);
     }
-    add_operations({set, {}, plane}, out);
+    add_operations({set, {}, plane}, table, out);
   }
   add_exchanges(table, addresses, plane, out);
   add_flat_arcs(out);
