@@ -73,14 +73,14 @@ void BlockBase::feed(ClauseId clause, std::initializer_list<AxisValue> to) {
   put(motion(RecordKind::feed, clause, to));
 }
 
-void BlockBase::arc(ClauseId clause, AxisSet named, const Position& to,
-                    const std::array<Number, 2>& centre, int sense) {
+Record BlockBase::arc_to(ClauseId clause, AxisSet named, const Position& to,
+                         const std::array<Number, 2>& centre, int sense) {
   const PlaneAxes axes = axes_of(state.plane);
   Record record = motion_to(RecordKind::arc, clause, named | AxisSet{axes.p, axes.q}, to);
   record.plane = state.plane;
   record.centre = centre;
   record.rot = sense;
-  put(std::move(record));
+  return record;
 }
 
 void BlockBase::name_corners(Axis positioning, Axis cutting, const Number& taper,

@@ -47,9 +47,9 @@ struct BlockBase {
   Record motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to);
   // One motion to `to` along the axes that are named.
   Record motion_to(RecordKind kind, ClauseId clause, AxisSet named, const Position& to);
-  // Names both axes of the plane, whichever are named.
-  void arc(ClauseId clause, AxisSet named, const Position& to, const std::array<Number, 2>& centre,
-           int sense);
+  // The same of an arc. Names both axes of the plane, whichever are named.
+  Record arc_to(ClauseId clause, AxisSet named, const Position& to,
+                const std::array<Number, 2>& centre, int sense);
   void put(Record record) { out.items.emplace_back(std::move(record)); }
   // A to D of a cutting cycle, where it is put out: A is where the machine stands, C the end point,
   // B lies the taper beyond it on the positioning axis and level with A on the other, D behind C.

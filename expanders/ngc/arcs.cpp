@@ -203,6 +203,27 @@ void spoil_helix(const Machine& machine, Sketch& sketch) {
   }
 }
 
+// NGC-FED-01: the speed at which the way along the arc takes 1/F minutes.
+Fixed timed(const Block& block, const Sketch& sketch) {
+  const Plane& plane = sketch.plane;
+  const Arc& arc = sketch.arc;
+  const auto angle = [&](const Point& at) {
+    return std::atan2(static_cast<long double>(at[plane.q] - arc.centre_q),
+                      static_cast<long double>(at[plane.p] - arc.centre_p));
+  };
+  const long double pi = std::acos(-1.0L);
+  long double swept = (angle(arc.to) - angle(sketch.from)) * (arc.rot > 0 ? 1 : -1);
+  if (swept < 0) swept += 2 * pi;
+  if (sketch.chord.square() == 0) swept = 2 * pi;
+  swept += 2 * pi * (std::abs(arc.rot) - 1);
+  const long double radius =
+      std::hypot(static_cast<long double>(sketch.from[plane.p] - arc.centre_p),
+                 static_cast<long double>(sketch.from[plane.q] - arc.centre_q));
+  const auto rise = static_cast<long double>(arc.to[plane.d] - sketch.from[plane.d]);
+  const auto turns = static_cast<long double>(block.number('F').value) / kOne;
+  return static_cast<Fixed>(std::llround(std::hypot(radius * swept, rise) * turns));
+}
+
 }  // namespace
 
 void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
@@ -218,7 +239,10 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
   const Chord chord{arc.to[plane.p] - from[plane.p], arc.to[plane.q] - from[plane.q]};
   const bool to_plane_axis = (arc.axes & (axis_bit(plane.p) | axis_bit(plane.q))) != 0;
   Sketch sketch{plane, from, arc, chord, counterclockwise, to_plane_axis};
-  if (state.feed.linear == 0) machine.complain(AlarmKind::kFeedMissing);
+  const bool is_timed = state.feed_mode == FeedMode::kInverseTime;
+  if (is_timed ? !block.has('F') : state.feed.linear == 0) {
+    machine.complain(AlarmKind::kFeedMissing);
+  }
   if (block.has('R') && block.has_any(kOffsets)) {
     machine.complain(AlarmKind::kConflictingWords, 'R', block);
   } else if (block.has('R')) {
@@ -231,6 +255,7 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
   if (machine.in_alarm()) return;
   if (machine.adds("full-circle-dropped"_fault, chord.square() == 0)) return;
   spoil_helix(machine, sketch);
+  if (is_timed) sketch.arc.feed.value = timed(block, sketch);
   plan.motion = sketch.arc;
 }
 

@@ -234,14 +234,6 @@ void Interpreter::prepare_motion(Plan& plan) {
   }
   if (!runs_motion()) return;
   check_spindle();
-  if (is_arc(machine_.state.motion) && machine_.state.feed_mode == FeedMode::kInverseTime) {
-    if (block_.has('F')) {
-      plan.outside = "An arc under G93";
-    } else {
-      machine_.complain(AlarmKind::kFeedMissing);
-    }
-    return;
-  }
   switch (machine_.state.motion) {
     case Motion::kArcClockwise:
     case Motion::kArcCounterclockwise:

@@ -129,11 +129,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/interpreter.cpp", Basis::text},
     {"NGC-FED-01", must, kLaterModes,
      "G93 is inverse time: a block takes 1/F minutes, so that the feed is F times the way of its "
-     "linear "
-     "axes, or of the rotary axes where they move alone. G1, G2 and G3 need an F in their block; F "
-     "of "
-     "other blocks means nothing, and G0 runs as ever. Arcs in inverse time the gauge does not "
-     "read.",
+     "linear axes, along the arc of an arc, or of the rotary axes where they move alone. G1, G2 "
+     "and G3 need an F in their block; F of other blocks means nothing, and G0 runs as ever.",
      "reference/rs274/modes.cpp"},
     {"NGC-FED-02", must, kLaterModes,
      "G95 is feed per revolution of the spindle. Once G93, G94 or G95 has changed the mode, a feed "

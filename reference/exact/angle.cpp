@@ -70,10 +70,6 @@ Number arc_tangent(const Number& slope) {
   return enclosure(Operation::atan_degrees, slope);
 }
 
-std::optional<int> try_sign(const Number& value) {
-  return enclosure_node(value) != nullptr ? try_sign_of_enclosure(value) : value.sign();
-}
-
 }  // namespace
 
 std::array<Number, 2> cos_sin_degrees(const Number& degrees) {
@@ -93,7 +89,7 @@ Number sin_degrees(const Number& degrees) {
 }
 
 Number angle_degrees(const Number& x, const Number& y) {
-  const std::optional<int> sign_y = try_sign(y);
+  const std::optional<int> sign_y = y.try_sign();
   if (sign_y && *sign_y != 0) return Number(*sign_y > 0 ? 90 : 270) - arc_tangent(x / y);
   // Near the x axis: on its positive half 0 and 360 meet, so there y must be known to be zero.
   const int sign_x = x.sign();

@@ -215,10 +215,13 @@ std::array<Number, 3> Number::root_parts() const {
   return {number_of(root.a), number_of(root.b), number_of(root.c)};
 }
 
+std::optional<int> Number::try_sign() const {
+  return form() == Form::enclosure ? try_sign_of_enclosure(*this) : sign();
+}
+
 // What may be zero is as large as its width at most.
 Number abs(const Number& value) {
-  if (value.form() != Form::enclosure) return value.sign() < 0 ? -value : value;
-  const std::optional<int> sign = try_sign_of_enclosure(value);
+  const std::optional<int> sign = value.try_sign();
   if (!sign) return sqrt(value * value);
   return *sign < 0 ? -value : value;
 }

@@ -69,6 +69,8 @@ class Number {
 
   // -1, 0 or 1. Exact for rationals and roots; an enclosure is refined until its sign shows.
   int sign() const;
+  // Nothing where no refining shows it.
+  std::optional<int> try_sign() const;
 
   friend Number operator+(const Number& a, const Number& b);
   friend Number operator-(const Number& a, const Number& b);

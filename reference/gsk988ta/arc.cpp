@@ -83,7 +83,7 @@ void run_arc(BlockContext& block, int sense) {
     if (block.out.alarms.empty() && to != machine.position) run_straight_feed(block);
     return;
   }
-  block.arc("GSK-COM-05"_clause, named, to, geometry::pair(*centre), sense);
+  block.put(block.arc_to("GSK-COM-05"_clause, named, to, geometry::pair(*centre), sense));
 }
 
 }  // namespace gonogo::reference::gsk988ta

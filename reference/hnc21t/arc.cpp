@@ -73,7 +73,8 @@ void run_arc(BlockContext& block, int sense) {
   const Centre centre =
       by_radius ? centre_by_radius(block, ends, sense) : centre_by_offsets(block, ends);
   // Under hnc.arc.zero-radius = none there is no way to go.
-  if (centre) block.arc("HNC-COM-01"_clause, named, to, geometry::pair(*centre), sense);
+  if (centre)
+    block.put(block.arc_to("HNC-COM-01"_clause, named, to, geometry::pair(*centre), sense));
 }
 
 }  // namespace gonogo::reference::hnc21t

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "reference/compared.hpp"
+#include "reference/exact/radians.hpp"
 #include "reference/geometry/arc_centre.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/whole.hpp"
@@ -186,11 +187,33 @@ bool check_words(BlockContext& block, const PlaneAxes& axes) {
   return true;
 }
 
+// The radius, or what lies between those at start and end, where they differ.
+Number radius_of(const Number& at_start, const Number& at_end) {
+  constexpr int kBits = 64;
+  if ((at_start - at_end).try_sign() == 0) return at_start;
+  return Number::between(exact::min(at_start.bounds(kBits)[0], at_end.bounds(kBits)[0]),
+                         exact::max(at_start.bounds(kBits)[1], at_end.bounds(kBits)[1]));
+}
+
+// NGC-FED-01: the way along the arc that F of inverse time counts. REQUIRES: both radii above zero.
+Number way_along(const Arc& arc, const Point_2& centre, std::int32_t turns, const Number& rise) {
+  const Vector_2 from = arc.ends.start - centre;
+  const Vector_2 to = arc.ends.end - centre;
+  const Number across = CGAL::determinant(from, to) * Number(arc.sense);
+  Number last = exact::angle_degrees(CGAL::scalar_product(from, to), across);
+  if (last.sign() == 0) last = 360;
+  const Number round =
+      radius_of(exact::sqrt(from.squared_length()), exact::sqrt(to.squared_length())) *
+      exact::radians(last + Number(360) * Number(turns - 1));
+  return exact::sqrt(round * round + rise * rise);
+}
+
 }  // namespace
 
 void run_arc(BlockContext& block, int sense) {
   const PlaneAxes axes = axes_of(block.machine.plane);
-  block.need_feed("NGC-G0-01"_clause);
+  const bool is_inverse_time = block.machine.is_inverse_time;
+  if (!is_inverse_time) block.need_feed("NGC-G0-01"_clause);
   const std::optional<std::int32_t> turns = turns_of(block);
   if (!check_words(block, axes)) return;
   Position to;
@@ -203,7 +226,12 @@ void run_arc(BlockContext& block, int sense) {
   const ClauseId clause = winds       ? "NGC-ARC-05"_clause
                           : by_radius ? "NGC-ARC-04"_clause
                                       : "NGC-ARC-02"_clause;
-  block.arc(clause, named, to, geometry::pair(*centre), sense * *turns);
+  const Number rise = to[axes.d] - block.machine.position[axes.d];
+  Record record = block.arc_to(clause, named, to, geometry::pair(*centre), sense * *turns);
+  if (is_inverse_time) {
+    record.feed = block.words.written('F') * way_along(arc, *centre, *turns, rise);
+  }
+  block.put(std::move(record));
 }
 
 }  // namespace gonogo::reference::rs274

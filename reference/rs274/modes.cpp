@@ -105,9 +105,8 @@ bool fits_modes(BlockContext& block) {
                 "In inverse time each block that cuts needs an F.");
     return false;
   }
-  if (machine.motion == 1 && block.words.written('F').sign() != 0) return true;
-  leave_out(block, 'F',
-            "The gauge reads inverse time of straight feeds alone, with an F above zero.");
+  if (block.words.written('F').sign() != 0) return true;
+  leave_out(block, 'F', "No text says how a block takes endless time, as F0 has it.");
   return false;
 }
 

@@ -26,28 +26,19 @@ void refuse(BlockContext& block, ClauseId clause, std::string message) {
   block.alarm(AlarmClass::arc_tangent, clause, WordName("CT"), std::move(message));
 }
 
-// Nothing where that is unknown.
-std::optional<int> sign_of(const Number& value) {
-  try {
-    return value.sign();
-  } catch (const exact::Undecided&) {
-    return std::nullopt;
-  }
-}
-
 // Whether an arc from one point to another about a centre is no part of a turn, as far as can be
 // told. An arc that ends nearer or farther on the ray of its start (SIE-ARC-08) has a length
 // nevertheless.
 bool may_have_no_sweep(const Vector_2& from, const Vector_2& to) {
   // First what is decided at once of half a turn, whose ends are as hard to tell from one ray.
-  const std::optional<int> along = sign_of(CGAL::scalar_product(from, to));
+  const std::optional<int> along = CGAL::scalar_product(from, to).try_sign();
   if (along.value_or(1) <= 0) return false;
-  return sign_of(CGAL::determinant(from, to)).value_or(0) == 0;
+  return CGAL::determinant(from, to).try_sign().value_or(0) == 0;
 }
 
 // Where the programmed centre is kept and the end stands in it (SIE-ARC-08), as far as is known.
 bool may_end_in_centre(const Vector_2& to) {
-  return sign_of(to.x()).value_or(0) == 0 && sign_of(to.y()).value_or(0) == 0;
+  return to.x().try_sign().value_or(0) == 0 && to.y().try_sign().value_or(0) == 0;
 }
 
 // Whether no text says which way an arc goes at its end, as far as is known.

@@ -6,11 +6,9 @@ namespace gonogo::reference::sinumerik {
 bool any_nonzero(std::initializer_list<Number> numbers) {
   bool undecided = false;
   for (const Number& number : numbers) {
-    try {
-      if (number.sign() != 0) return true;
-    } catch (const exact::Undecided&) {
-      undecided = true;
-    }
+    const std::optional<int> sign = number.try_sign();
+    if (sign.value_or(0) != 0) return true;
+    undecided = undecided || !sign;
   }
   if (undecided) throw exact::Undecided("exact: whether a vector is zero");
   return false;

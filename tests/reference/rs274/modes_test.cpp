@@ -44,8 +44,31 @@ TEST(NgcModes, InverseTimeIsTheWayTimesF) {
   EXPECT_EQ(path("G20 G93 G1 X1 F2"), Lines{"feed x25.4 f50.8"});
   EXPECT_EQ(ending_of("F9 G93 G1 X1\nX2"), "alarm b2 feed-missing");
   EXPECT_EQ(ending_of("G93 F2\nG1 X1"), "alarm b2 feed-missing");
-  EXPECT_EQ(ending_of("G93 G2 X2 I1 F2"), "not-covered b1 F");
+  EXPECT_EQ(ending_of("G93 G1 X2 F0"), "not-covered b1 F");
   EXPECT_EQ(ending_of("G93 G2 X2 I1"), "alarm b1 feed-missing");
+}
+
+// The feeds of a program's motions, to nine decimals.
+Lines feeds(const char* program) {
+  Lines all;
+  for (const Item& item : expand(program, ngc())) {
+    const auto* record = std::get_if<Record>(&item);
+    if (record != nullptr && is_motion(record->kind)) all.push_back(record->feed.decimal_text(9));
+  }
+  return all;
+}
+
+// 2 pi; a quarter of a turn of radius 10, 5 pi, in two minutes; 10 pi in 2/3 of one; 5 pi and 15 pi in
+// a third; 5 pi and 4 across make the root of 25 pi^2 + 16; two turns that rise by 3.
+TEST(NgcModes, InverseTimeCountsTheWayAlongAnArc) {
+  EXPECT_EQ(feeds("G93 G2 X2 I1 F2"), Lines{"6.283185307"});
+  EXPECT_EQ(feeds("G93 G3 X-10 Y10 I-10 F0.5"), Lines{"7.853981634"});
+  EXPECT_EQ(feeds("G93 G2 I-5 F1.5"), Lines{"47.123889804"});
+  EXPECT_EQ(feeds("G93 G2 X10 Y10 R10 F3\nG2 X0 Y0 R-10 F3"),
+            (Lines{"47.123889804", "141.371669412"}));
+  EXPECT_EQ(feeds("G93 G3 X-10 Y10 Z4 I-10 F1"), Lines{"16.209260009"});
+  EXPECT_EQ(feeds("G93 G3 Z3 I1 P2 F1"), Lines{"12.919507360"});
+  EXPECT_EQ(feeds("G20 G93 G2 X2 I1 F1"), Lines{"79.796453402"});
 }
 
 TEST(NgcModes, AnotherModeOfFeedNeedsANewF) {
