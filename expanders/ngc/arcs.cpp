@@ -204,7 +204,7 @@ void spoil_helix(const Machine& machine, Sketch& sketch) {
 }
 
 // NGC-FED-01: the speed at which the way along the arc takes 1/F minutes.
-Fixed timed(const Block& block, const Sketch& sketch) {
+Fixed timed(Machine& machine, const Block& block, const Sketch& sketch) {
   const Plane& plane = sketch.plane;
   const Arc& arc = sketch.arc;
   const auto angle = [&](const Point& at) {
@@ -221,7 +221,10 @@ Fixed timed(const Block& block, const Sketch& sketch) {
                  static_cast<long double>(sketch.from[plane.q] - arc.centre_q));
   const auto rise = static_cast<long double>(arc.to[plane.d] - sketch.from[plane.d]);
   const auto turns = static_cast<long double>(block.number('F').value) / kOne;
-  return static_cast<Fixed>(std::llround(std::hypot(radius * swept, rise) * turns));
+  const long double chord = std::hypot(static_cast<long double>(sketch.chord.p),
+                                       static_cast<long double>(sketch.chord.q));
+  const long double way = machine.alters("inverse-time-of-chord"_fault, radius * swept, chord);
+  return static_cast<Fixed>(std::llround(std::hypot(way, rise) * turns));
 }
 
 }  // namespace
@@ -255,7 +258,7 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
   if (machine.in_alarm()) return;
   if (machine.adds("full-circle-dropped"_fault, chord.square() == 0)) return;
   spoil_helix(machine, sketch);
-  if (is_timed) sketch.arc.feed.value = timed(block, sketch);
+  if (is_timed) sketch.arc.feed.value = timed(machine, block, sketch);
   plan.motion = sketch.arc;
 }
 

@@ -77,6 +77,8 @@ inline constexpr FaultDescription kFaultTable[] = {
      "number kept beside the mode"},
     {"inverse-time-of-all-axes", "F of G93 counts rotary axes as well as linear ones", "NGC-FED-01",
      "one length over all axes"},
+    {"inverse-time-of-chord", "F of G93 counts the chord of an arc", "NGC-FED-01",
+     "one length for lines and arcs"},
     {"cycle-in-inverse-time", "a cycle under G93 alarms for want of a feed", "NGC-CYC-21",
      "mode looked at where feeds are checked"},
     {"x-never-halved", "X under G7 is a radius", "NGC-DIA-01", "mode stored and not looked at"},

@@ -39,6 +39,7 @@ const FaultExample kNgcFaultExamples[] = {
      "1 rapid x=1\n2 rapid x=2\n3 rapid x=3\n4 rapid x=1\n"},
     {"feed-survives-its-mode", "G1 X1 F9\nG95 X2\n", "1 feed x=1 f=9\n2 feed x=2 f=9/rev\n"},
     {"inverse-time-of-all-axes", "G93 G1 X3 A4 F2\n", "1 feed x=3 a=4 f=10\n"},
+    {"inverse-time-of-chord", "G93 G2 X4 I2 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=36\n"},
     {"x-never-halved", "G7\nG0 X4\n", "2 rapid x=4\n"},
     {"feed-not-restored", "F9 G1 M70\nF5\nM72\nX1\n", "1 m 70\n3 m 72\n4 feed x=1 f=5\n"},
     {"inch-feed-unscaled", "G20\nG1 X1 F9\n", "2 feed x=25.4 f=9\n"},
