@@ -201,7 +201,7 @@ std::string campaign_page(const std::string& folder, const HuntSummary& summary)
   const std::string title = markup_text(summary.subject + ", " + summary.dialect);
   std::string out = report::page_head("Hunt: " + title, kOwnStyle, nullptr);
   out += fmt::format(
-      "<h1>Hunt: {}</h1>\n<p id=\"told\"><span class=\"badge {}\">{}</span> {} of {}</p>\n"
+      "<h1>Hunt: {}</h1>\n<p id=\"told\"><span class=\"badge {}\">{}</span> {}</p>\n"
       "</header>\n<main>\n",
       title, summary.standing() == 0 ? "go" : "no-go", findings_text(summary),
       rounds_text(summary));
