@@ -12,6 +12,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -116,8 +117,14 @@ void ControlGroup::limit(std::size_t memory_bytes, std::size_t processes) const 
   write("pids.max", fmt::format("{}", kThreadsPerProcess * processes));
 }
 
-void ControlGroup::add(pid_t process) const {
-  write("cgroup.procs", fmt::format("{}", process));
+// By itself, since what somebody else puts into it may have begun others by then.
+std::vector<std::string> ControlGroup::entering(std::vector<std::string> words) const {
+  if (!exists()) return words;
+  std::vector<std::string> all = {"/bin/sh", "-c", R"({ echo 0 >"$0"; } 2>/dev/null; exec "$@")",
+                                  folder_ + "/cgroup.procs"};
+  all.insert(all.end(), std::make_move_iterator(words.begin()),
+             std::make_move_iterator(words.end()));
+  return all;
 }
 
 std::vector<pid_t> ControlGroup::processes() const {

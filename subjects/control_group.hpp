@@ -32,7 +32,8 @@ class ControlGroup {
   bool exists() const { return !folder_.empty(); }
   // Only the controllers that the system gives to groups at this place know their limit.
   void limit(std::size_t memory_bytes, std::size_t processes) const;
-  void add(pid_t process) const;
+  // The words of a command that goes into the group before anything else; the same without a group.
+  std::vector<std::string> entering(std::vector<std::string> words) const;
   std::vector<pid_t> processes() const;
   void kill() const;
 

@@ -106,11 +106,12 @@ class SpawnSettings {
     posix_spawn_file_actions_destroy(&files_);
     posix_spawnattr_destroy(&attributes_);
   }
-  pid_t spawn_shell(const std::string& command, const Limits& limits) const {
+  pid_t spawn_shell(const std::string& command, const Limits& limits,
+                    const ControlGroup& group) const {
     const std::string script = limited(command, limits);
-    std::vector<std::string> words =
+    std::vector<std::string> words = group.entering(
         limits.sandbox.is_on() ? sandbox_words(limits.sandbox, script, limits.memory_bytes)
-                               : std::vector<std::string>{"/bin/sh", "-c", script};
+                               : std::vector<std::string>{"/bin/sh", "-c", script});
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -187,8 +188,9 @@ Process::Process(const std::string& command, const Limits& limits)
   make_nonblocking(out.read);
   make_nonblocking(err.read);
   const SpawnSettings settings(in.read.get(), out.write.get(), err.write.get());
-  pid_ = begin_family([&] { return settings.spawn_shell(command, limits); },
-                      ControlGroup::make(limits.memory_bytes, limits.processes));
+  pid_ = begin_family(
+      [&](const ControlGroup& group) { return settings.spawn_shell(command, limits, group); },
+      ControlGroup::make(limits.memory_bytes, limits.processes));
   input_ = std::move(in.write);
   output_ = std::move(out.read);
   errors_ = std::move(err.read);

@@ -89,12 +89,11 @@ void end_all(const Collect& collect) {
 
 }  // namespace
 
-pid_t begin_family(const std::function<pid_t()>& spawn, ControlGroup group) {
+pid_t begin_family(const std::function<pid_t(const ControlGroup&)>& spawn, ControlGroup group) {
   static const bool adopts = ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) == 0;
   static_cast<void>(adopts);
   const std::lock_guard lock(families().mutex);
-  const pid_t first = spawn();
-  group.add(first);
+  const pid_t first = spawn(group);
   families().first.emplace(first, std::move(group));
   return first;
 }

@@ -13,9 +13,9 @@
 
 namespace gonogo::oracle {
 
-// Starts the first process of a subject, the leader of a session of its own, in `group` if there
-// is one.
-pid_t begin_family(const std::function<pid_t()>& spawn, ControlGroup group);
+// Starts the first process of a subject, the leader of a session of its own, which `spawn` puts
+// into the group, if there is one.
+pid_t begin_family(const std::function<pid_t(const ControlGroup&)>& spawn, ControlGroup group);
 
 // Memory that it and all that came of it hold now, and how many processes they are. What has left
 // both its parent and the session counts for every subject: its owner is unknown.

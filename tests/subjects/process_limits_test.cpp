@@ -74,21 +74,18 @@ TEST_F(ProcessLimits, AGroupEndsWhatLeftItsParentAndItsSession) {
   ControlGroup group = ControlGroup::make(std::size_t{1} << 30, 100);
   if (!group.exists()) GTEST_SKIP() << "no control group can be made here";
   const fs::path seen = folder_ / "pid";
+  const std::vector<std::string> words = group.entering(
+      {"/bin/sh", "-c",
+       fmt::format("setsid sh -c 'echo $$ >{0}~; mv {0}~ {0}; exec sleep 60' & exit 0",
+                   seen.string())});
   const pid_t first = ::fork();
   if (first == 0) {
-    ::raise(SIGSTOP);  // until it is in its group
-    ::setsid();
-    if (::fork() == 0) {
-      ::setsid();
-      std::ofstream(seen.string() + "~") << ::getpid() << '\n';
-      fs::rename(seen.string() + "~", seen);
-      ::sleep(60);
-    }
-    ::_exit(0);
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    ::execv(arguments.front(), arguments.data());
+    ::_exit(127);
   }
-  ::waitpid(first, nullptr, WUNTRACED);
-  group.add(first);
-  ::kill(first, SIGCONT);
   ::waitpid(first, nullptr, 0);
   pid_t left = 0;
   while (left == 0) std::ifstream(seen) >> left;
