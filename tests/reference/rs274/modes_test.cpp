@@ -68,7 +68,7 @@ TEST(NgcModes, InverseTimeCountsTheWayAlongAnArc) {
             (Lines{"47.123889804", "141.371669412"}));
   EXPECT_EQ(feeds("G93 G3 X-10 Y10 Z4 I-10 F1"), Lines{"16.209260009"});
   EXPECT_EQ(feeds("G93 G3 Z3 I1 P2 F1"), Lines{"12.919507360"});
-  EXPECT_EQ(feeds("G20 G93 G2 X2 I1 F1"), Lines{"79.796453402"});
+  EXPECT_EQ(feeds("G20 G93 G2 X2 I1 F1"), Lines{"79.796453401"});
 }
 
 TEST(NgcModes, AnotherModeOfFeedNeedsANewF) {
