@@ -42,6 +42,13 @@ const withPage = (body) => withBrowserPage(context, pathToFileURL(join(work, 'ni
 const number = async (page, what) => Number(await page.locator('.totals div', { has: page.locator(`dt:text-is("${what}")`) })
   .locator('dd').innerText());
 
+test('a departure is read on a phone', () => withPage(async (page) => {
+  await page.setViewportSize({ width: 400, height: 900 });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 400);
+  const { width } = await page.locator('#symptoms-1 tbody td').first().boundingBox();
+  assert.ok(width > 120, `${width} px`);
+}));
+
 test('one fault is one finding, with its cause and all of its symptoms', () => withPage(async (page) => {
   assert.equal(told.findings.length, 1);
   assert.ok(told.findings[0].faces.length > 10);

@@ -433,6 +433,14 @@ test('Back leads from a case to the report', () => withPage(results, async (page
   await shows(page, '#detail h2', id);
 }));
 
+for (const [what, hash] of [['the overview', ''], ['a case', atCase('gsk.g94.000002')]]) {
+  test(`${what} is no wider than a phone`, () => withPage(results, async (page) => {
+    await page.setViewportSize({ width: 400, height: 900 });
+    await page.locator(hash === '' ? '#by-cycles' : '#sheet').waitFor();
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 400);
+  }, hash));
+}
+
 // The block at fault, the drawing and its stepper are seen at once, and stay while the facts are read.
 test('a case fits one screen, with its drawing beside the program', () => withPage(results, async (page) => {
   await page.setViewportSize({ width: 1400, height: 900 });
