@@ -148,11 +148,41 @@ void JudgeSession::try_length(const Fork& fork, ReadingKey key, const Number& le
 
 // Keeps what came farther; else what took more records; else what came first.
 void JudgeSession::consider(SampledVerdict said) {
+  if (decision(said.verdict.kind) == Decision::no_go) departures_.push_back(said);
   const bool is_later = records_ > best_records_;
   if (!best_ || outranks(said, *best_) || (is_later && !outranks(*best_, said))) {
     best_ = std::move(said);
     best_records_ = records_;
   }
+}
+
+namespace {
+
+bool runs_on(const Verdict& said) {
+  return said.kind == VerdictKind::advice && said.departure == VerdictKind::fail_alarm_missing;
+}
+
+// It comes behind the alarm, or in its block and at no alarm.
+bool shows_how_to_run_on(const Verdict& departure, const Verdict& runs_on) {
+  if (departure.block == 0 || departure.block > runs_on.block) return true;
+  const bool is_of_alarm = departure.kind == VerdictKind::fail_alarm_missing ||
+                           departure.kind == VerdictKind::fail_alarm_late ||
+                           departure.kind == VerdictKind::fail_alarm_class ||
+                           departure.kind == VerdictKind::fail_alarm_spurious ||
+                           departure.kind == VerdictKind::unmapped_alarm;
+  return departure.block == runs_on.block && !is_of_alarm;
+}
+
+}  // namespace
+
+void JudgeSession::see_how_to_run_on() {
+  if (!best_ || !runs_on(best_->verdict)) return;
+  const SampledVerdict* shown = nullptr;
+  for (const SampledVerdict& departure : departures_) {
+    if (!shows_how_to_run_on(departure.verdict, best_->verdict)) continue;
+    if (shown == nullptr || outranks(departure, *shown)) shown = &departure;
+  }
+  if (shown != nullptr) best_ = *shown;
 }
 
 void JudgeSession::log(const Record& record, bool undecided) {
@@ -298,8 +328,10 @@ void JudgeSession::finish_together(const RunEnd& end) {
 SessionVerdict JudgeSession::finish(const RunEnd& end) {
   if (end.sampled != nullptr) {
     finish_sampled(*end.sampled, end);
+    see_how_to_run_on();
   } else if (!too_many_) {
     finish_forks(end);
+    see_how_to_run_on();
     finish_together(end);
   }
   SessionVerdict result;

@@ -11,11 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/steps/different_assignments.hpp"
 #include "oracle/judge/program_judge.hpp"
-#include "oracle/steps/record_log.hpp"
 #include "oracle/judge/sampled_outcome.hpp"
 #include "oracle/region/constants.hpp"
+#include "oracle/steps/different_assignments.hpp"
+#include "oracle/steps/record_log.hpp"
 
 namespace gonogo::oracle {
 
@@ -74,6 +74,8 @@ class JudgeSession {
   void try_lengths(const Fork& fork);
   void try_length(const Fork& fork, reference::ReadingKey key, const Number& length);
   void consider(SampledVerdict said);
+  // R7: what was said under an alternative that runs the block over whose alarm the best runs on.
+  void see_how_to_run_on();
   void finish_forks(const RunEnd& end);
   void finish_sampled(const SampledOutcome& sampled, const RunEnd& end);
   // Where every fork departs: whether readings that make no difference each make one together.
@@ -89,6 +91,7 @@ class JudgeSession {
   std::size_t records_ = 0;  // of the subject, and its end
   std::size_t best_records_ = 0;
   std::optional<SampledVerdict> best_;                // of those that are at their end
+  std::vector<SampledVerdict> departures_;            // of those, the NO-GO
   std::vector<reference::ReadingChoice> explaining_;  // of those that are GO
   std::set<reference::ReadingKey> open_;              // that made a difference
   std::size_t most_others_ = 0;                       // that one fork looked at to the last

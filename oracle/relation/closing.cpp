@@ -95,6 +95,7 @@ Answer Correspondence::at_place(const Place& place, VerdictKind kind, Rule rule,
   answer.kind = kind;
   answer.rule = rule;
   answer.record = got.record;
+  answer.block = want.block;
   answer.want = text_of(want);
   const bool alarms = got.item == nullptr && outcome_.alarm != nullptr;
   answer.got = alarms ? text_of(*outcome_.alarm) : text_of(got);
@@ -188,7 +189,10 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
            alarms_without(profile_, program_, report.block, *outcome_.alarm);
   };
   if (reference::is_silent(firmest(report).clause) && !terms_.strict && runs_on()) {
-    offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm."));
+    Answer advice = at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm.");
+    advice.block = report.block;
+    advice.runs_on = true;
+    offer(std::move(advice));
   }
   if (!alarms) return;
   const auto alarms_before = [&] {

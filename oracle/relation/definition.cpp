@@ -170,6 +170,17 @@ std::string_view name(GapReason reason) {
   return kNames[static_cast<std::size_t>(reason)];
 }
 
+bool is_better(const Answer& one, const Answer& other) {
+  return rank(one) < rank(other) || (rank(one) == rank(other) && one.record > other.record);
+}
+
+// R7: whether the departure shows that its alternative runs the block over whose alarm the other
+// answer runs: it comes behind that alarm, or in its block and at no alarm.
+bool shows_how_to_run_on(const Answer& departure, const Answer& runs_on) {
+  if (departure.block == 0 || departure.block > runs_on.block) return true;
+  return departure.block == runs_on.block && departure.rule != Rule::alarm;
+}
+
 // The best of all combinations of the open readings that the program asks for; of departures the
 // one that comes last.
 Answer decide(const reference::Profile& profile, std::string_view program, const Tolerances& terms,
@@ -178,6 +189,7 @@ Answer decide(const reference::Profile& profile, std::string_view program, const
   constexpr std::size_t kMostAssignments = 64;
   std::vector<reference::ReadingChoice> choices = {profile.readings};
   std::optional<Answer> best;
+  std::vector<Answer> departures;
   std::set<std::string> lengths;  // that have been tried
   std::size_t assignments = 0;
   while (!choices.empty()) {
@@ -210,12 +222,16 @@ Answer decide(const reference::Profile& profile, std::string_view program, const
         choices.back().set(key, length);
       }
     }
-    const bool is_better =
-        !best || rank(judgement.answer) < rank(*best) ||
-        (rank(judgement.answer) == rank(*best) && judgement.answer.record > best->record);
-    if (is_better) best = std::move(judgement.answer);
+    if (is_departure(judgement.answer)) departures.push_back(judgement.answer);
+    if (!best || is_better(judgement.answer, *best)) best = std::move(judgement.answer);
   }
-  return *best;
+  if (!best->runs_on) return *best;
+  const Answer* shown = nullptr;
+  for (const Answer& departure : departures) {
+    if (!shows_how_to_run_on(departure, *best)) continue;
+    if (shown == nullptr || is_better(departure, *shown)) shown = &departure;
+  }
+  return shown == nullptr ? *best : *shown;
 }
 
 }  // namespace gonogo::relation

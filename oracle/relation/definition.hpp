@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/records/verdict.hpp"
 #include "oracle/records/subject_outcome.hpp"
+#include "oracle/records/verdict.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::relation {
@@ -54,6 +54,8 @@ struct Answer {
   GapReason gap = GapReason::none;
   reference::ClauseId clause = reference::kNoClause;
   std::optional<std::size_t> record;  // the subject's, from 0: the farthest that is reached
+  std::uint64_t block = 0;            // of the reference's event there; 0: it is the end
+  bool runs_on = false;               // R7: over an alarm that no text states
   std::string want;                   // the reference's event there
   std::string got;                    // the subject's
   std::string distance;               // of their ends, mm

@@ -79,7 +79,7 @@ class ThreadPasses : private ThreadSite {
     for (std::size_t i = begin;; ++i) {
       i = behind_small(i);
       const Event& piece = subject_.at(i);
-      const bool may_go_down = has_turned && is_end(i) &&
+      const bool may_go_down = has_turned && (goes_in || is_small_infeed(number)) && is_end(i) &&
                                is_on(offset_of(piece.from), radius, slack_.round(piece.width));
       if (may_go_down) helix(number, i);
       if (!piece.is_motion()) return breaks(i, "A pass is missing.");
@@ -114,6 +114,11 @@ class ThreadPasses : private ThreadSite {
       }
     }
   }
+  // An infeed of two tolerances may come in pieces of which each stays at one place (R3).
+  bool is_small_infeed(std::int64_t number) const {
+    const Number infeed = abs(radius_of_pass(number) - radius_of_pass(number - 1));
+    return infeed <= terms_.tolerance * 2 + slack_.round(0);
+  }
   // For chords: whether one leads to the circle of the pass.
   bool is_infeed(std::size_t i, const Number& radius) {
     const Event& piece = subject_.at(i);
@@ -138,6 +143,16 @@ class ThreadPasses : private ThreadSite {
     int sense_ = 0;
     Winding directions_{1, 0};
   };
+  // In pieces an arc keeps its centre. Of an arc that is as straight as a line nobody knows it.
+  bool is_of_one_arc(const Event& first, const Event& piece) const {
+    if (first.record == piece.record || first.label->is_flat || piece.label->is_flat) return true;
+    const reference::Record& one = first.source();
+    const reference::Record& other = piece.source();
+    if (one.kind != RecordKind::arc || other.kind != RecordKind::arc) return false;
+    const Number off = terms_.tolerance * 17 / 4;
+    return abs(rational_near(one.centre[0] - other.centre[0])) <= off &&
+           abs(rational_near(one.centre[1] - other.centre[1])) <= off;
+  }
   static Number degrees_of(const Number& along, const Number& across) {
     if (along.sign() == 0 && across.sign() == 0) return 0;
     const Number degrees = rational_near(angle_degrees(along, across));
@@ -197,6 +212,7 @@ class ThreadPasses : private ThreadSite {
     Arcs arcs;
     bool has_straight = false;
     bool has_round = false;
+    Event first_round;
     for (std::size_t i = begin;; ++i) {
       i = behind_small(i);
       const Event& piece = subject_.at(i);
@@ -216,10 +232,11 @@ class ThreadPasses : private ThreadSite {
       }
       if (broken.empty()) broken = broken_height(piece);
       if (!broken.empty()) return breaks(i, broken);
+      if (!is_straight(piece) && !has_round) first_round = piece;
       (is_straight(piece) ? has_straight : has_round) = true;
-      const bool is_bent =
-          has_straight && (has_round || turns_aside(from, here, offset_of(piece.to)));
-      if (is_bent && terms_.chord.sign() == 0)
+      const bool is_bent = has_straight ? has_round || turns_aside(from, here, offset_of(piece.to))
+                                        : !is_of_one_arc(first_round, piece);
+      if (is_bent && (!has_straight || terms_.chord.sign() == 0))
         return breaks(i, "The run-out is neither straight nor one arc.");
       if (!is_straight(piece)) broken = arcs.take(piece, way_of_piece(piece));
       if (!broken.empty()) return breaks(i, broken);
@@ -250,6 +267,7 @@ class ThreadPasses : private ThreadSite {
   // Along p alone, one way, at the R plane, until the tool is safe.
   void away(std::int64_t number, std::size_t begin) {
     const Position foot = subject_.at(begin).from;
+    const Number wall = max(start_, rational_near(sqrt(offset_of(foot).square())));
     int direction = 0;
     for (std::size_t i = begin;; ++i) {
       i = behind_small(i);
@@ -269,11 +287,12 @@ class ThreadPasses : private ThreadSite {
       if (broken.empty() && free_ > 0 && abs(piece.to[axes_.p] - middle_.p) > reach + off) {
         broken = "The way to safety goes away from the work.";
       }
-      // In a bore the way leads along p, wherever along q the run-out ended.
+      // In a bore the way leads along p, wherever along q the run-out ended, and not into the wall.
       const Number farthest = max(abs(foot[axes_.p] - middle_.p), abs(start_ - run_out_));
       const bool crosses =
           free_ > 0 ? is_deeper(piece, kept_of(number))
-                    : abs(piece.to[axes_.p] - middle_.p) > farthest + slack_.round(piece.width);
+                    : abs(piece.to[axes_.p] - middle_.p) > farthest + slack_.round(piece.width) ||
+                          is_deeper(piece, wall);
       if (broken.empty() && crosses) broken = "The way to safety crosses the work.";
       if (!broken.empty()) return breaks(i, broken);
     }
