@@ -390,6 +390,22 @@ TEST(Silence, ExcusesTheNextAlarmOfASubjectThatRunsOn) {
   EXPECT_EQ(kind(2, "conflicting-words"), VerdictKind::fail_alarm_late);
 }
 
+// Under hnc.g75.i = P the word P is missing, and no text says so; under I the motions are due, and
+// whoever runs on makes these.
+TEST(Silence, ExcusesNoMotionsWhereAnotherAlternativeHasThem) {
+  constexpr const char* kProgram = "M3 S300\nG00 X60 Z4\nG75 X40 Z-10 I2 R1 Q3 F100\nM30\n";
+  const std::string begin = traverse(2, R"("x":"30","z":"4")");
+  const auto kind = [&](const std::string& trace, const char* reading) {
+    return judge_trace(kProgram, begin + trace, {.dialect = "hnc21t", .reading = reading}).kind;
+  };
+  const std::string garbage = traverse(3, R"("x":"-5","z":"-100")");
+  EXPECT_EQ(kind(garbage, "hnc.g75.i=any"), VerdictKind::fail_geometry);
+  EXPECT_EQ(kind("", "hnc.g75.i=any"), VerdictKind::fail_geometry);
+  EXPECT_EQ(kind(alarm_said(3, "missing-word"), "hnc.g75.i=any"), VerdictKind::pass_exact);
+  // Where the reading is known, there is no other alternative.
+  EXPECT_EQ(kind(garbage, "hnc.g75.i=P"), VerdictKind::advice);
+}
+
 // `alarm_timing`: a control that checks at load alarms with no motion at all.
 TEST(Silence, ExcusesTheSameAtLoad) {
   const auto kind = [](const char* timing, std::uint64_t block, std::string_view alarm_class) {
