@@ -396,7 +396,7 @@ TEST(Silence, ExcusesNoMotionsWhereAnotherAlternativeHasThem) {
   constexpr const char* kProgram = "M3 S300\nG00 X60 Z4\nG75 X40 Z-10 I2 R1 Q3 F100\nM30\n";
   const std::string begin = traverse(2, R"("x":"30","z":"4")");
   const auto kind = [&](const std::string& trace, const char* reading) {
-    return judge_trace(kProgram, begin + trace, {.dialect = "hnc21t", .reading = reading}).kind;
+    return judge_trace(kProgram, begin + trace, {.reading = reading, .dialect = "hnc21t"}).kind;
   };
   const std::string garbage = traverse(3, R"("x":"-5","z":"-100")");
   EXPECT_EQ(kind(garbage, "hnc.g75.i=any"), VerdictKind::fail_geometry);

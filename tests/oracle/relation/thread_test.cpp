@@ -7,7 +7,7 @@
 
 #include "deciding.hpp"
 
-namespace gonogo::relation {
+namespace gonogo::relation::thread_steps {
 namespace {
 
 // The bolt: middle X10 Y10, 15 before and 14 behind its one pass, three turns from Z8 to Z2, J2 and
@@ -97,4 +97,4 @@ TEST(R8Thread, LeavesABoreAndNotThroughItsWall) {
 }
 
 }  // namespace
-}  // namespace gonogo::relation
+}  // namespace gonogo::relation::thread_steps
