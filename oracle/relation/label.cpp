@@ -46,9 +46,11 @@ bool is_same(const Label& a, const Label& b) {
 
 bool agree(const Number& want, const Number& got, const std::optional<Number>& resolution,
            const Tolerances& terms) {
-  // Two units in the last place of a double lie below 2^-51 of its value.
+  // Two units in the last place of a double lie below 2^-51 of its value. Who declares nothing of
+  // its numbers may have doubles.
+  const bool may_be_double = terms.binary64 || (!terms.exact && !resolution);
   const Number last_places =
-      terms.binary64 ? abs(want.bounds(kBitsOfLabel)[0]) * Number::binary(1, -51) : Number(0);
+      may_be_double ? abs(want.bounds(kBitsOfLabel)[0]) * Number::binary(1, -51) : Number(0);
   const Number half = resolution ? *resolution / 2 : Number(0);
   return !are_apart(want, got, max(half, last_places));
 }

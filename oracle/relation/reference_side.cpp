@@ -141,7 +141,8 @@ bool is_fixed(const Record& m) {
 
 bool ReferenceSide::may_stand(std::size_t number, std::size_t index) {
   const MFunction& m = m_[number];
-  if (is_fixed(m.record)) return index == m.event;
+  if (index == m.event) return true;  // J-PROP-01: what the reference shows is right
+  if (is_fixed(m.record)) return false;
   const Block block = block_of(m);
   if (index < block.begin || index > block.end) return false;
   const auto has = [&](std::size_t begin, std::size_t end, auto&& wanted) {
