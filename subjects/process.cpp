@@ -24,7 +24,10 @@ namespace {
 
 constexpr std::size_t kMostNotes = 16384;
 constexpr int kLongestWaitMs = 25;  // between two looks at the process itself
+// Between two looks at its size. Many processes take long to count, and begin no others meanwhile: the
+// rest is at least so many times as long as the look was.
 constexpr auto kSizeEvery = std::chrono::milliseconds(20);
+constexpr int kRestPerLook = 4;
 constexpr std::size_t kBlock = 512;  // bytes, the unit of ulimit
 
 [[noreturn]] void fail(int error, const char* what) {
@@ -194,8 +197,8 @@ Process::Process(const std::string& command, const Limits& limits)
   input_ = std::move(in.write);
   output_ = std::move(out.read);
   errors_ = std::move(err.read);
-  size_checked_ = Clock::now();
-  deadline_ = size_checked_;
+  deadline_ = Clock::now();
+  next_look_ = deadline_ + kSizeEvery;
 }
 
 Process::~Process() {
@@ -257,9 +260,10 @@ bool Process::has_exited() const {
 
 bool Process::has_too_much() {
   const auto now = Clock::now();
-  if (now - size_checked_ < kSizeEvery) return false;
-  size_checked_ = now;
+  if (now < next_look_) return false;
   const FamilySize size = size_of_family(pid_);
+  const auto seen = Clock::now();
+  next_look_ = seen + std::max<Clock::duration>(kSizeEvery, kRestPerLook * (seen - now));
   if (size.resident_bytes > memory_bytes_) {
     excess_ = fmt::format("held more than {} MiB", memory_bytes_ >> 20);
   } else if (size.processes > processes_) {

@@ -113,7 +113,7 @@ class Process {
   bool overtime_ = false;  // the last look after the deadline has been taken
   int poll_ms_ = 1;
   Clock::time_point deadline_;
-  Clock::time_point size_checked_;
+  Clock::time_point next_look_;  // at its size
   std::size_t memory_bytes_;
   std::size_t processes_;
   std::string excess_;
