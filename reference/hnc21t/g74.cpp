@@ -16,7 +16,7 @@ void run_g74(BlockContext& block) {
   block.need_feed();
   const Plunge plunge =
       plan_plunge(block, Axis::z, bottom.value_or(block.machine.position[Axis::z]), kClauses);
-  if (!block.out.alarms.empty()) return;
+  if (!block.out.alarms.empty() || block.out.not_covered) return;
   block.out.cycle = run_plunge(plunge);
 }
 

@@ -109,7 +109,7 @@ void run_g75(BlockContext& block) {
                 .width = {},
                 .plunges = 1,
                 .intervals = {}};
-  if (!block.out.alarms.empty()) return;
+  if (!block.out.alarms.empty() || block.out.not_covered) return;
   if (steps) widen(block, groove, *steps);
   block.out.cycle = run_groove(std::move(groove));
 }

@@ -13,6 +13,9 @@ bool is_positive(const std::optional<ScaledLength>& word) {
   return word && word->value.sign() > 0;
 }
 
+// With more a judge would look too long for the first peck that can be seen.
+constexpr std::int64_t kMostPecks = 1'000'000'000;
+
 // e and dK as true lengths.
 struct PeckLengths {
   Number withdrawal;
@@ -45,6 +48,12 @@ bool counts_from_withdrawn(const BlockContext& block, const Plunge& plunge, cons
   return block.readings.is("hnc.peck.from=withdrawn"_reading);
 }
 
+void limit_pecks(BlockContext& block, const Plunge& plunge) {
+  if (plunge.pecks <= Number(kMostPecks) || !block.out.alarms.empty()) return;
+  block.not_covered(plunge.axis == Axis::z ? 74 : 75, 'Q',
+                    "The gauge follows up to 1,000,000,000 pecks: the word Q asks for more.");
+}
+
 // Pecks and withdrawals to the depth.
 void plan_pecks(BlockContext& block, Plunge& plunge, const PlungeClauses& clauses) {
   const Number depth = abs(plunge.bottom - plunge.top);
@@ -70,6 +79,7 @@ void plan_pecks(BlockContext& block, Plunge& plunge, const PlungeClauses& clause
   plunge.clamped = decided("HNC-G74-04"_clause, "R - Q", plunge.withdrawal, plunge.step) > 0 &&
                    block.readings.is("hnc.peck.clamp=start"_reading);
   plunge.withdraws_at_feed = block.readings.is("hnc.peck.withdraw=feed"_reading);
+  limit_pecks(block, plunge);
 }
 
 // A traverse to X and dK further at the feed.
