@@ -156,7 +156,7 @@ TEST(G74, PecksAreLengthsInTheUnitsInForce) {
   EXPECT_EQ(path("G20 G74 Z-2 R0.5 Q1 F10"), along_z({"F-25.4", "R-12.7", "F-50.8", "R0"}, "254"));
 }
 
-TEST(HncG74, FollowsAThousandMillionPecks) {
+TEST(G74, FollowsAThousandMillionPecks) {
   EXPECT_EQ(ending_of("G00 X0 Z2\nG74 Z-8 R0.1 Q0.000000009 F50\n"), "not-covered b2 G74");
   EXPECT_EQ(ending_of("G00 X20 Z2\nG75 X0 R0.1 Q0.000000009 F50\n"), "not-covered b2 G75");
   // An alarm of the block goes first.
