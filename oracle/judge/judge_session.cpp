@@ -175,14 +175,15 @@ bool shows_how_to_run_on(const Verdict& departure, const Verdict& runs_on) {
 
 }  // namespace
 
-void JudgeSession::see_how_to_run_on() {
-  if (!best_ || !runs_on(best_->verdict)) return;
+const SampledVerdict* shown_way_to_run_on(const SampledVerdict& best,
+                                          std::span<const SampledVerdict> departures) {
+  if (!runs_on(best.verdict)) return nullptr;
   const SampledVerdict* shown = nullptr;
-  for (const SampledVerdict& departure : departures_) {
-    if (!shows_how_to_run_on(departure.verdict, best_->verdict)) continue;
+  for (const SampledVerdict& departure : departures) {
+    if (!shows_how_to_run_on(departure.verdict, best.verdict)) continue;
     if (shown == nullptr || outranks(departure, *shown)) shown = &departure;
   }
-  if (shown != nullptr) best_ = *shown;
+  return shown;
 }
 
 void JudgeSession::log(const Record& record, bool undecided) {
@@ -328,12 +329,12 @@ void JudgeSession::finish_together(const RunEnd& end) {
 SessionVerdict JudgeSession::finish(const RunEnd& end) {
   if (end.sampled != nullptr) {
     finish_sampled(*end.sampled, end);
-    see_how_to_run_on();
   } else if (!too_many_) {
     finish_forks(end);
-    see_how_to_run_on();
-    finish_together(end);
   }
+  const SampledVerdict* shown = best_ ? shown_way_to_run_on(*best_, departures_) : nullptr;
+  if (shown != nullptr) best_ = *shown;
+  if (end.sampled == nullptr && !too_many_) finish_together(end);
   SessionVerdict result;
   result.open.assign(open_.begin(), open_.end());
   if (too_many_) {

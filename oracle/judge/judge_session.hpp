@@ -74,8 +74,6 @@ class JudgeSession {
   void try_lengths(const Fork& fork);
   void try_length(const Fork& fork, reference::ReadingKey key, const Number& length);
   void consider(SampledVerdict said);
-  // R7: what was said under an alternative that runs the block over whose alarm the best runs on.
-  void see_how_to_run_on();
   void finish_forks(const RunEnd& end);
   void finish_sampled(const SampledOutcome& sampled, const RunEnd& end);
   // Where every fork departs: whether readings that make no difference each make one together.
@@ -106,6 +104,11 @@ class JudgeSession {
 // pass; else a gap, for under that assignment the subject may be right; else the departure that
 // comes last. A missing alarm counts behind another departure that comes equally far.
 bool outranks(const SampledVerdict& one, const SampledVerdict& other);
+
+// R7: of departures, the one that counts in place of the best, which runs on over an alarm that no
+// text states: under its alternative the block is run. Null: there is none.
+const SampledVerdict* shown_way_to_run_on(const SampledVerdict& best,
+                                          std::span<const SampledVerdict> departures);
 
 // Judges a recorded outcome.
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,

@@ -42,6 +42,7 @@ SessionVerdict judged_at_once(const Profile& profile, const std::string& program
   SessionVerdict result;
   std::set<ReadingKey> open(assignments.open.begin(), assignments.open.end());
   std::optional<SampledVerdict> best;
+  std::vector<SampledVerdict> departures;
   for (reference::ReadingChoice choice : assignments.choices) {
     Profile assigned = profile;
     assigned.readings = choice;
@@ -52,8 +53,10 @@ SessionVerdict judged_at_once(const Profile& profile, const std::string& program
       fix_lengths(judge, choice, open);
       result.explaining.push_back(choice);
     }
+    if (decision(said.verdict.kind) == Decision::no_go) departures.push_back(said);
     if (!best || outranks(said, *best)) best = std::move(said);
   }
+  if (const SampledVerdict* shown = shown_way_to_run_on(*best, departures)) best = *shown;
   result.open.assign(open.begin(), open.end());
   result.verdict = std::move(best->verdict);
   return result;

@@ -9,12 +9,25 @@ namespace {
 using reference::Axis;
 using reference::kLinearAxes;
 
+// Whether a circle that closes stands level with its centre on all axes but this one: moved along
+// it, its end stays on the ray of its start, and the numbers do not tell a whole turn from none.
+bool ends_on_ray(const Edit& edit, std::size_t number, Axis axis) {
+  const Record& record = edit.trace.records[number];
+  const reference::Position& start = edit.specimen.before[number];
+  if (record.kind != reference::RecordKind::arc || start != edit.specimen.after[number])
+    return false;
+  const reference::PlaneAxes axes = reference::axes_of(record.plane);
+  return (axis == axes.p && record.centre[1] == start[axes.q]) ||
+         (axis == axes.q && record.centre[0] == start[axes.p]);
+}
+
 // The end of one motion beside its place; the next leads where it led.
 bool shift_end(Edit& edit) {
   const auto number = edit.any_motion();
   if (!number) return false;
   Record& record = edit.trace.records[*number];
   const Axis axis = edit.chance.one_of(kLinearAxes);
+  if (ends_on_ray(edit, *number, axis)) return false;
   record.to[axis] = edit.specimen.after[*number][axis] + edit.off();
   record.axes.add(axis);
   edit.lead_next_to_its_end(*number);
@@ -27,6 +40,7 @@ bool shift_end_for_good(Edit& edit) {
   if (!number) return false;
   Record& record = edit.trace.records[*number];
   const Axis axis = edit.chance.one_of(kLinearAxes);
+  if (ends_on_ray(edit, *number, axis)) return false;
   record.to[axis] = edit.specimen.after[*number][axis] + edit.off();
   record.axes.add(axis);
   return true;
