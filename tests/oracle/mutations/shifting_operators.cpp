@@ -27,8 +27,9 @@ bool shift_end(Edit& edit) {
   if (!number) return false;
   Record& record = edit.trace.records[*number];
   const Axis axis = edit.chance.one_of(kLinearAxes);
+  const Number by = edit.off();
   if (ends_on_ray(edit, *number, axis)) return false;
-  record.to[axis] = edit.specimen.after[*number][axis] + edit.off();
+  record.to[axis] = edit.specimen.after[*number][axis] + by;
   record.axes.add(axis);
   edit.lead_next_to_its_end(*number);
   return true;
@@ -40,8 +41,9 @@ bool shift_end_for_good(Edit& edit) {
   if (!number) return false;
   Record& record = edit.trace.records[*number];
   const Axis axis = edit.chance.one_of(kLinearAxes);
+  const Number by = edit.off();
   if (ends_on_ray(edit, *number, axis)) return false;
-  record.to[axis] = edit.specimen.after[*number][axis] + edit.off();
+  record.to[axis] = edit.specimen.after[*number][axis] + by;
   record.axes.add(axis);
   return true;
 }
