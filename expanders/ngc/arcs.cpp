@@ -220,11 +220,10 @@ Fixed timed(Machine& machine, const Block& block, const Sketch& sketch) {
       std::hypot(static_cast<long double>(sketch.from[plane.p] - arc.centre_p),
                  static_cast<long double>(sketch.from[plane.q] - arc.centre_q));
   const auto rise = static_cast<long double>(arc.to[plane.d] - sketch.from[plane.d]);
-  const auto turns = static_cast<long double>(block.number('F').value) / kOne;
   const long double chord = std::hypot(static_cast<long double>(sketch.chord.p),
                                        static_cast<long double>(sketch.chord.q));
   const long double way = machine.alters("inverse-time-of-chord"_fault, radius * swept, chord);
-  return static_cast<Fixed>(std::llround(std::hypot(way, rise) * turns));
+  return timed_feed(block, std::hypot(way, rise));
 }
 
 }  // namespace

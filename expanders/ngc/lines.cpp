@@ -36,11 +36,15 @@ Fixed timed(Machine& machine, const Block& block, const Point& to) {
     const auto way = static_cast<long double>(to[axis] - from[axis]);
     squares += way * way;
   }
-  const auto turns = static_cast<long double>(block.number('F').value) / kOne;
-  return static_cast<Fixed>(std::llround(std::sqrt(squares) * turns));
+  return timed_feed(block, std::sqrt(squares));
 }
 
 }  // namespace
+
+Fixed timed_feed(const Block& block, long double way) {
+  const auto turns = static_cast<long double>(block.number('F').value) / kOne;
+  return static_cast<Fixed>(std::llround(way * turns));
+}
 
 // NGC-G0-01, NGC-DIS-01
 void prepare_line(Machine& machine, const Block& block, Plan& plan) {

@@ -99,6 +99,8 @@ struct Plan {
   std::string_view outside;     ///< what is not implemented; empty: nothing
 };
 
+/// NGC-FED-01: the speed at which a way takes 1/F minutes.
+Fixed timed_feed(const Block& block, long double way);
 void prepare_dwell(Machine& machine, const Block& block, Plan& plan);
 void prepare_line(Machine& machine, const Block& block, Plan& plan);
 void prepare_arc(Machine& machine, const Block& block, Plan& plan);

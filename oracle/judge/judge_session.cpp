@@ -165,12 +165,7 @@ bool runs_on(const Verdict& said) {
 // It comes behind the alarm, or in its block and at no alarm.
 bool shows_how_to_run_on(const Verdict& departure, const Verdict& runs_on) {
   if (departure.block == 0 || departure.block > runs_on.block) return true;
-  const bool is_of_alarm = departure.kind == VerdictKind::fail_alarm_missing ||
-                           departure.kind == VerdictKind::fail_alarm_late ||
-                           departure.kind == VerdictKind::fail_alarm_class ||
-                           departure.kind == VerdictKind::fail_alarm_spurious ||
-                           departure.kind == VerdictKind::unmapped_alarm;
-  return departure.block == runs_on.block && !is_of_alarm;
+  return departure.block == runs_on.block && rule_of(departure) != RelationRule::alarm;
 }
 
 }  // namespace

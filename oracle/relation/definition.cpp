@@ -157,6 +157,17 @@ std::optional<Answer> overrun(const Outcome& outcome) {
   return std::nullopt;
 }
 
+bool is_better(const Answer& one, const Answer& other) {
+  return rank(one) < rank(other) || (rank(one) == rank(other) && one.record > other.record);
+}
+
+// R7: whether the departure shows that its alternative runs the block over whose alarm the other
+// answer runs: it comes behind that alarm, or in its block and at no alarm.
+bool shows_how_to_run_on(const Answer& departure, const Answer& runs_on) {
+  if (departure.block == 0 || departure.block > runs_on.block) return true;
+  return departure.block == runs_on.block && departure.rule != Rule::alarm;
+}
+
 }  // namespace
 
 std::string_view name(Rule rule) {
@@ -168,17 +179,6 @@ std::string_view name(GapReason reason) {
   constexpr std::array<std::string_view, 7> kNames = {
       "", "not-covered", "profile", "cutting", "comparison", "two-readings", "many-assignments"};
   return kNames[static_cast<std::size_t>(reason)];
-}
-
-bool is_better(const Answer& one, const Answer& other) {
-  return rank(one) < rank(other) || (rank(one) == rank(other) && one.record > other.record);
-}
-
-// R7: whether the departure shows that its alternative runs the block over whose alarm the other
-// answer runs: it comes behind that alarm, or in its block and at no alarm.
-bool shows_how_to_run_on(const Answer& departure, const Answer& runs_on) {
-  if (departure.block == 0 || departure.block > runs_on.block) return true;
-  return departure.block == runs_on.block && departure.rule != Rule::alarm;
 }
 
 // The best of all combinations of the open readings that the program asks for; of departures the
