@@ -26,6 +26,17 @@ const std::map<std::string, oracle::Case>& checked_in_cases() {
   return kCases;
 }
 
+oracle::Expectation checked_in_expectation(const std::string& id, std::size_t number) {
+  for (const auto& entry : fs::recursive_directory_iterator(corpus_folder() + "/vectors")) {
+    if (!entry.is_regular_file()) continue;
+    if (bytes_of(entry.path()).find('"' + id + '"') == std::string::npos) continue;
+    for (const oracle::Case& test : oracle::read_vector_file(entry.path())) {
+      if (test.id == id) return test.expect.at(number);
+    }
+  }
+  throw std::out_of_range("the corpus has no case " + id);
+}
+
 std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

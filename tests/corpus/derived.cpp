@@ -47,14 +47,8 @@ std::string line_of(const Record& record) {
 }  // namespace
 
 Lines records_of(const std::string& id, std::size_t expectation) {
-  const auto& cases = checked_in_cases();
-  const auto found = cases.find(id);
-  if (found == cases.end() || expectation >= found->second.expect.size()) {
-    ADD_FAILURE() << "the corpus has no such expectation: " << id << ", " << expectation;
-    return {};
-  }
   Lines lines;
-  for (const Record& record : found->second.expect[expectation].records) {
+  for (const Record& record : checked_in_expectation(id, expectation).records) {
     lines.push_back(line_of(record));
   }
   return lines;

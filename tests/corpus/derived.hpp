@@ -15,7 +15,7 @@ namespace gonogo::testing {
 
 using Lines = std::vector<std::string>;
 
-// The records of one expectation of a checked-in case; fails the test when there is none.
+// The records of one expectation of a checked-in case; throws std::out_of_range when there is none.
 Lines records_of(const std::string& id, std::size_t expectation = 0);
 
 // One after the other.

@@ -54,9 +54,7 @@ Lines end(const std::string& x, const std::string& z) {
 // The spindle angles of the thread records, in their order.
 Lines starts_of(const std::string& id) {
   Lines starts;
-  const auto found = checked_in_cases().find(id);
-  if (found == checked_in_cases().end()) return {"no such case"};
-  for (const reference::Record& record : found->second.expect.front().records) {
+  for (const reference::Record& record : checked_in_expectation(id).records) {
     if (record.kind == reference::RecordKind::thread) starts.push_back(record.start.text());
   }
   return starts;

@@ -66,13 +66,7 @@ bool turns_spindle(const Record& record) {
 
 // The records of an expectation but that one and, where it ends in one, its alarm.
 Lines lines_of(const std::string& id, std::size_t expectation = 0) {
-  const auto& cases = checked_in_cases();
-  const auto found = cases.find(id);
-  if (found == cases.end() || expectation >= found->second.expect.size()) {
-    ADD_FAILURE() << "the corpus has no such expectation: " << id << ", " << expectation;
-    return {};
-  }
-  const oracle::Expectation& expected = found->second.expect[expectation];
+  const oracle::Expectation expected = checked_in_expectation(id, expectation);
   Lines lines;
   for (const Record& record : expected.records) {
     if (!turns_spindle(record)) lines.push_back(rounded(record));
