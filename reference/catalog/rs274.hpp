@@ -128,9 +128,10 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "until F is given, in this block or later; NIST's interpreter keeps it.",
      "reference/rs274/interpreter.cpp", Basis::text},
     {"NGC-FED-01", must, kLaterModes,
-     "G93 is inverse time: a block takes 1/F minutes, so that the feed is F times the way of its "
-     "linear axes, along the arc of an arc, or of the rotary axes where they move alone. G1, G2 "
-     "and G3 need an F in their block; F of other blocks means nothing, and G0 runs as ever.",
+     "G93 is inverse time: a block takes 1/F minutes, so that the feed is F times its way: that of "
+     "the linear axes, along the curve where it is an arc, or that of the rotary axes where they "
+     "move alone. G1, G2 and G3 need an F in their block; F of other blocks means nothing, and G0 "
+     "runs as ever.",
      "reference/rs274/modes.cpp"},
     {"NGC-FED-02", must, kLaterModes,
      "G95 is feed per revolution of the spindle. Once G93, G94 or G95 has changed the mode, a feed "
