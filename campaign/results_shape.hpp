@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Of what kind the values of a header and a footer are. The reader of results asks once, so that
+// The kinds of the values in a header and a footer. The reader of results asks once, so that
 // all who take a value from there need not ask again.
 #pragma once
 

@@ -157,7 +157,7 @@ static int execute(machine* m, const block* b) {
 static gonogo_text describe(void) {
   return text_of(
       "{\"protocol\":1,\"subject\":{\"name\":\"acme-c\",\"version\":\"1.0.0\"},"
-      /* Of the feature "basic" a part only: without "dialects" what is skipped is not claimed. */
+      /* It does a part of the feature "basic": without "dialects" what is skipped is not claimed. */
       "\"features\":[\"blocks\"],"
       "\"numeric\":{\"kind\":\"binary64\"}}");
 }

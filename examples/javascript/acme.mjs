@@ -75,7 +75,7 @@ class Machine {
 serve(() => ({
   name: 'acme-javascript',
   version: '1.0.0',
-  // Of "basic" a part only: without `dialects` nothing is declared, and what is skipped is not claimed.
+  // It does a part of "basic": without `dialects` nothing is declared, and what is skipped is not claimed.
   features: ['blocks', 'bytes'],
   numeric: { kind: 'binary64' },
   run(program, emit) {

@@ -143,7 +143,7 @@ class ThreadPasses : private ThreadSite {
     int sense_ = 0;
     Winding directions_{1, 0};
   };
-  // In pieces an arc keeps its centre. Of an arc that is as straight as a line nobody knows it.
+  // In pieces an arc keeps its centre. Nobody knows the centre of an arc that is as straight as a line.
   bool is_of_one_arc(const Event& first, const Event& piece) const {
     if (first.record == piece.record || first.label->is_flat || piece.label->is_flat) return true;
     const reference::Record& one = first.source();
