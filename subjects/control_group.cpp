@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kName = "gonogo-";
-constexpr int kRounds = 200;  // of a millisecond, until the kernel has ended what it was told to
+constexpr int kRoundsToEnd = 200;  // of a millisecond, until the kernel has ended what it was told to
 // How much wider the kernel's bounds are than those that are measured. It counts threads.
 constexpr std::size_t kMemoryFactor = 2;
 constexpr std::size_t kThreadsPerProcess = 8;
@@ -96,7 +96,7 @@ ControlGroup ControlGroup::make(std::size_t memory_bytes, std::size_t processes)
 ControlGroup::~ControlGroup() {
   if (!exists()) return;
   kill();
-  for (int round = 0; round < kRounds && ::rmdir(folder_.c_str()) != 0 && errno == EBUSY; ++round) {
+  for (int round = 0; round < kRoundsToEnd && ::rmdir(folder_.c_str()) != 0 && errno == EBUSY; ++round) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
