@@ -20,7 +20,7 @@ namespace {
 // Pixels.
 constexpr double kWidth = 860;
 constexpr double kEdge = 4;
-constexpr double kLetter = 7.6;  // of the legend, at most
+constexpr double kLetterOfLegend = 7.6;  // of the legend, at most
 constexpr double kRow = 24;
 constexpr double kManyViews = 640;  // height of a figure of four views
 
@@ -49,7 +49,7 @@ class Legend {
   explicit Legend(double top) : top_(top) {}
 
   void line(std::string_view style, std::string_view text) {
-    const SheetPoint at = take(50 + kLetter * static_cast<double>(text.size()));
+    const SheetPoint at = take(50 + kLetterOfLegend * static_cast<double>(text.size()));
     out_ += fmt::format("<path class=\"{}\" d=\"M{} {}h36\"/>", style, svg::number(at.x),
                         svg::number(at.y));
     svg::append_text(out_, {at.x + 44, at.y + 4.5}, "gs-text", text);
@@ -64,7 +64,7 @@ class Legend {
     svg::append_text(out_, {at.x + 75, at.y + 4.5}, "gs-text", "end");
   }
   void text(std::string_view words) {
-    const SheetPoint at = take(kLetter * static_cast<double>(words.size()));
+    const SheetPoint at = take(kLetterOfLegend * static_cast<double>(words.size()));
     svg::append_text(out_, {at.x, at.y + 4.5}, "gs-text", words);
   }
   const std::string& svg() const { return out_; }
