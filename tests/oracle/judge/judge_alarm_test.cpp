@@ -8,7 +8,7 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::string_view kProgram = "G00 X130 Z5\nG94 X120 Z-10 R20 F300\nG00 X200\n";
+constexpr std::string_view kTaperTooLong = "G00 X130 Z5\nG94 X120 Z-10 R20 F300\nG00 X200\n";
 const std::string kMotion = R"({"k":"rapid","b":2,"to":{"z":"10"}})"
                             "\n";
 
@@ -19,25 +19,25 @@ std::string alarm(int block, const char* name) {
 }
 
 TEST(AlarmJudge, TheRightAlarmInTheRightBlockIsGo) {
-  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "taper-limit")).kind,
+  EXPECT_EQ(judge_trace(kTaperTooLong, kRapidToStart + alarm(2, "taper-limit")).kind,
             VerdictKind::pass_exact);
 }
 
 // R6.
 TEST(AlarmJudge, EachWrongAlarmHasItsOwnVerdict) {
-  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "value-sign")).kind,
+  EXPECT_EQ(judge_trace(kTaperTooLong, kRapidToStart + alarm(2, "value-sign")).kind,
             VerdictKind::fail_alarm_class);
-  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(1, "taper-limit")).kind,
+  EXPECT_EQ(judge_trace(kTaperTooLong, kRapidToStart + alarm(1, "taper-limit")).kind,
             VerdictKind::fail_alarm_spurious);
-  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(3, "taper-limit")).kind,
+  EXPECT_EQ(judge_trace(kTaperTooLong, kRapidToStart + alarm(3, "taper-limit")).kind,
             VerdictKind::fail_alarm_late);
-  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + kMotion + alarm(2, "taper-limit")).kind,
+  EXPECT_EQ(judge_trace(kTaperTooLong, kRapidToStart + kMotion + alarm(2, "taper-limit")).kind,
             VerdictKind::fail_alarm_late);
-  EXPECT_EQ(judge_trace(kProgram, kRapidToStart).kind, VerdictKind::fail_alarm_missing);
+  EXPECT_EQ(judge_trace(kTaperTooLong, kRapidToStart).kind, VerdictKind::fail_alarm_missing);
 }
 
 TEST(AlarmJudge, MotionOfEarlierBlocksMustHaveCome) {
-  EXPECT_EQ(judge_trace(kProgram, alarm(2, "taper-limit")).kind, VerdictKind::fail_geometry);
+  EXPECT_EQ(judge_trace(kTaperTooLong, alarm(2, "taper-limit")).kind, VerdictKind::fail_geometry);
 }
 
 TEST(AlarmJudge, AnAlarmWithoutAFaultIsSpurious) {
@@ -77,9 +77,9 @@ TEST(AlarmJudge, TakesEitherClassOfARuleOfRs274ThatHasTwo) {
 }
 
 TEST(AlarmJudge, AnAlarmOfSeveralClassesIsRightWhereOneIs) {
-  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "unused-word taper-limit")).kind,
+  EXPECT_EQ(judge_trace(kTaperTooLong, kRapidToStart + alarm(2, "unused-word taper-limit")).kind,
             VerdictKind::pass_exact);
-  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "unused-word value-sign")).kind,
+  EXPECT_EQ(judge_trace(kTaperTooLong, kRapidToStart + alarm(2, "unused-word value-sign")).kind,
             VerdictKind::fail_alarm_class);
   // R6: before a place that cannot be read.
   constexpr std::string_view kUnreadable = "G0 Y2 Y2#0\nM2\n";

@@ -29,17 +29,17 @@ reference::Profile all_open(std::string_view dialect) {
   return profile;
 }
 
-constexpr std::string_view kHelix =
+constexpr std::string_view kFlatHelix =
     "G17 G00 X40 Y30 Z10\nG112 X20 Y10 W-4 R-1 I6 L2 D4 F200\nG00 X0\n";
-constexpr std::string_view kPocket =
+constexpr std::string_view kOpenPocket =
     "G17 G00 X40 Y30 Z10\nG110 X20 Y10 W-4 R-1 I10 L3 Q2 P8 D2 F200\nG00 X0\n";
 constexpr std::string_view kThreads =
     "G17 G00 X40 Y30 Z10\nG114 X20 Y10 W-4 R-1 I2 E24 P1 Q0.6 D3 J0 F200\nX60 Y10 W-4\n";
 
 // A program for each alternative that was not open, or was not there.
 constexpr auto kFollowed = std::to_array<Followed>({
-    {"gsk988ta", "gsk.helix.flat", "on", kHelix},
-    {"gsk988ta", "gsk.pocket.end", "r-plane", kPocket},
+    {"gsk988ta", "gsk.helix.flat", "on", kFlatHelix},
+    {"gsk988ta", "gsk.pocket.end", "r-plane", kOpenPocket},
     {"gsk988ta", "gsk.thread.modal", "none", kThreads},
     {"gsk988ta", "gsk.missing-axis", "position",
      "G17 G00 X40 Y30 Z10\nG112 X20 Y10 W-4 R-1 I6 L2 D4 F200\nX9 Y8\n"},
