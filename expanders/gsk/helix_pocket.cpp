@@ -26,14 +26,14 @@ void take_helix_words(Machine& machine, const Block& block) {
   if (block.has('L')) store.turns = {true, false, block.number('L').value};
 }
 
-void check_modal_words(Machine& machine) {
+void check_words_of_helix(Machine& machine) {
   const PocketStore& store = machine.state.pocket;
   check_present(machine, {{'I', store.radius}, {'D', store.tool_radius}});
 }
 
 void prepare_milling(Machine& machine, const Block& block, Helix& helix) {
   const PocketStore& store = machine.state.pocket;
-  check_modal_words(machine);
+  check_words_of_helix(machine);
   // GSK-G110-16, GSK-G112-02.
   check_positive(machine, {{'I', store.radius}, {'D', store.tool_radius}});
   const Fixed room = store.radius.value - store.tool_radius.value;
@@ -113,7 +113,7 @@ bool mill_helix(Machine& machine, const Helix& helix) {
 void prepare_helix(Machine& machine, const Block& block, bool entering, bool mills, Plan& plan) {
   check_ranges(machine, block);
   take_helix_words(machine, block);
-  if (entering) check_modal_words(machine);
+  if (entering) check_words_of_helix(machine);
   Helix helix;
   if (machine.in_alarm() || !mills || !find_centre(machine, block, helix.site, plan)) return;
   prepare_milling(machine, block, helix);
