@@ -19,8 +19,7 @@ set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 # The headers of the standard library, of Boost and of CGAL cost far more than our own text. Names in
 # anonymous namespaces are therefore distinct within a target.
 set(CMAKE_UNITY_BUILD ${GONOGO_UNITY})
-set(GONOGO_UNITY_FILES 40 CACHE STRING "How many of a folder's files are compiled at a time")
-set(CMAKE_UNITY_BUILD_BATCH_SIZE ${GONOGO_UNITY_FILES})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 
 # g++ looks for what it no longer needs whenever it has grown by a third, a tenth of its time; up to
 # this many kB it does not.
