@@ -14,9 +14,6 @@
 namespace gonogo::cli {
 namespace {
 
-// A bound on the trials for a finding: a run is not to wait for its explanation.
-constexpr std::size_t kMostRecordsOfACause = 1'000'000;
-
 // The case as the campaign asked for it.
 std::optional<identify::ProgramAsked> asked_in(const oracle::Corpus& corpus,
                                                const oracle::CampaignOptions& campaign,
@@ -41,7 +38,7 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
   options.tolerance = campaign.grants.tolerance;
   options.chord = campaign.grants.chord;
   options.feed_resolution = campaign.grants.feed_resolution;
-  options.most_records = kMostRecordsOfACause;
+  options.most_records = kMostRecordsToExplain;
   std::map<std::string, oracle::Cause> named;
   std::set<std::string> names;
   for (const oracle::Finding* finding : summary.findings.list()) {

@@ -11,6 +11,9 @@
 
 namespace gonogo::cli {
 
+// A bound on the trials for a finding: neither a run nor a hunt waits for its explanation.
+inline constexpr std::size_t kMostRecordsToExplain = 1'000'000;
+
 // Causes of at most `most` findings in their order; a breakdown has none. A subject that cannot run
 // any more has none either.
 oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracle::Corpus& corpus,

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "cli/causes.hpp"
 #include "fuzz/hunt/campaign_page.hpp"
 #include "fuzz/hunt/finding_files.hpp"
 #include "fuzz/identify/shared_causes.hpp"
@@ -16,8 +17,6 @@ namespace {
 
 using identify::ProgramAsked;
 
-// A bound on the trials for a finding, as of certify: a hunt is not to wait for its explanation.
-constexpr std::size_t kMostRecordsOfAHunt = 1'000'000;
 constexpr std::size_t kMostOthers = 400;  // programs
 
 // The subject with its own alarms under the names of the gauge.
@@ -57,7 +56,7 @@ std::unique_ptr<oracle::Subject> subject_to_ask(const TrialWords& words) {
 
 identify::ExplanationTerms terms_of(const TrialWords& words) {
   const hunt::TrialOptions options = trial_options(words);
-  return {options.tolerance, options.chord, options.feed_resolution, kMostRecordsOfAHunt};
+  return {options.tolerance, options.chord, options.feed_resolution, kMostRecordsToExplain};
 }
 
 struct Asked {

@@ -29,8 +29,8 @@ endif()
 
 find_program(GONOGO_CCACHE ccache)
 if(GONOGO_CCACHE)
-  # What a source includes is taken from the compiler's list: to preprocess it for that first is a tenth of a build
-  # from clean. Nothing in the precompiled headers of the tests hangs on the time of day.
+  # ccache takes the list of a source's headers from the compiler: to preprocess every source first costs a tenth of
+  # a build from clean. Nothing in the precompiled headers of the tests hangs on the time of day.
   set(GONOGO_LAUNCHER env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
     CCACHE_SLOPPINESS=pch_defines,time_macros ${GONOGO_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${GONOGO_LAUNCHER})

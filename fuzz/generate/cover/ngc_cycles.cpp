@@ -8,17 +8,14 @@
 namespace gonogo::cover {
 namespace {
 
-constexpr Length kStart = {20'000, 0};   // along the third axis
-constexpr Length kDepth = {-10'000, 0};  // from R
-
 // The words of a hole that lies so far from where the tool stands (NGC-CYC-05, NGC-CYC-06).
 std::vector<std::string> hole_words(const Pick& pick, const Drawing& drawing) {
   const bool steps = pick.is("distance", "modal");
   const Length to_r = pick.length("R");
   std::vector<std::string> words = {pick["code"], drawing.travel(Role::p, mm(10))};
   if (!pick.is("q", "none")) words.push_back(drawing.travel(Role::q, pick.length("q")));
-  words.push_back(drawing.travel(Role::d, steps ? kDepth : to_r + kDepth));
-  words.push_back(drawing.word("R", steps ? to_r : kStart + to_r));
+  words.push_back(drawing.travel(Role::d, steps ? kHoleDepth : to_r + kHoleDepth));
+  words.push_back(drawing.word("R", steps ? to_r : kHoleStart + to_r));
   if (!pick.is("L", "none")) words.push_back("L" + pick["L"]);
   return words;
 }
@@ -36,7 +33,7 @@ void add_hole_features(const Pick& pick, Drawing& drawing) {
 void draw_holes(const Pick& pick, Drawing& drawing, std::string_view own) {
   add_hole_features(pick, drawing);
   const std::string spindle = pick["code"] == "G74" ? "M4" : "M3";
-  drawing.stand(mm(4), mm(-3), kStart, "F120 " + spindle);
+  drawing.stand(mm(4), mm(-3), kHoleStart, "F120 " + spindle);
   drawing.put({pick["retract"]});
   std::vector<std::string> words = hole_words(pick, drawing);
   words.emplace_back(own);
@@ -84,7 +81,7 @@ no: reading=default D=half
 
 void draw_synchronous(const Pick& pick, Drawing& drawing) {
   drawing.features.push_back("g" + pick["code"].substr(1));
-  drawing.stand(mm(4), mm(-3), kStart, pick["spindle"]);
+  drawing.stand(mm(4), mm(-3), kHoleStart, pick["spindle"]);
   std::vector<std::string> words = {pick["code"]};
   for (const auto& [role, name] : {std::pair{Role::p, "p"}, {Role::q, "q"}, {Role::d, "d"}}) {
     if (!pick.is(name, "none")) words.push_back(drawing.travel(role, pick.length(name)));

@@ -5,9 +5,14 @@
 
 #include <vector>
 
+#include "fuzz/generate/cover/length.hpp"
 #include "fuzz/generate/cover/model.hpp"
 
 namespace gonogo::cover {
+
+// Where a hole or a thread begins along the third axis, and its depth from R.
+inline constexpr Length kHoleStart = {20'000, 0};
+inline constexpr Length kHoleDepth = {-10'000, 0};
 
 std::vector<Model> ngc_cycle_models();
 

@@ -8,11 +8,11 @@
 #include <array>
 #include <utility>
 
+#include "fuzz/generate/cover/ngc_cycles.hpp"
+
 namespace gonogo::cover {
 namespace {
 
-constexpr Length kSeriesStart = {20'000, 0};   // along the third axis
-constexpr Length kSeriesDepth = {-10'000, 0};  // from R
 constexpr Length kPeck = {2'500, 0};
 
 using Words = std::vector<std::string>;
@@ -31,11 +31,11 @@ std::string own_word(const Drawing& drawing, std::string_view code) {
 // far from where it stands, under G91 (NGC-CYC-05, NGC-CYC-06).
 Words hole(const Drawing& drawing, const std::string& code, Length way, Length to_r, bool steps) {
   if (steps) {
-    return {code, of_axis(drawing, Role::p, way), of_axis(drawing, Role::d, kSeriesDepth),
+    return {code, of_axis(drawing, Role::p, way), of_axis(drawing, Role::d, kHoleDepth),
             drawing.word("R", to_r), own_word(drawing, code)};
   }
-  return {code, drawing.absolute(Role::p, way), drawing.absolute(Role::d, to_r + kSeriesDepth),
-          drawing.word("R", kSeriesStart + to_r), own_word(drawing, code)};
+  return {code, drawing.absolute(Role::p, way), drawing.absolute(Role::d, to_r + kHoleDepth),
+          drawing.word("R", kHoleStart + to_r), own_word(drawing, code)};
 }
 
 void add_cycle_feature(Drawing& drawing, std::string_view code) {
@@ -51,7 +51,7 @@ void begin(const Pick& pick, Drawing& drawing) {
   if (drawing.plane() != 17) drawing.features.emplace_back("cycle-planes");
   drawing.features.emplace_back("cycle-modal");
   drawing.features.emplace_back("cycle-steps");
-  drawing.stand(mm(4), mm(-3), kSeriesStart, "F120 M3");
+  drawing.stand(mm(4), mm(-3), kHoleStart, "F120 M3");
   drawing.put({pick["retract"]});
 }
 

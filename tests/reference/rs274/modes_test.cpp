@@ -36,7 +36,7 @@ TEST(NgcModes, TheProfileMayGiveAMotion) {
   EXPECT_EQ(path("X1 F100", profile), Lines{"feed x1 f100"});
 }
 
-// 3-4-5: 5 mm in half a minute are 10 mm/min. 90 degrees of rotary axes alone in a third of one.
+// 3-4-5: 5 mm in half a minute are 10 mm/min. Rotary axes alone turn 90 degrees in a third of a minute.
 TEST(NgcModes, InverseTimeIsTheWayTimesF) {
   EXPECT_EQ(path("G93 G1 X3 Y4 F2\nX6 Y8 F1\nG0 X0 Y0"),
             (Lines{"feed x3 y4 f10", "feed x6 y8 f5", "rapid x0 y0"}));
@@ -96,7 +96,7 @@ TEST(NgcModes, UnderG7XIsADiameter) {
   }
 }
 
-// The documents list what is saved; this is of it.
+// The documents list what M70 saves.
 TEST(NgcModes, M72RestoresWhatM70Saved) {
   EXPECT_EQ(path("F9 G1 M70\nG91 G20 G18 F5 G55\nM72\nG3 X2 I1", ngc()),
             Lines{"arc x2 y0 c1,0 rot1 f9"});
