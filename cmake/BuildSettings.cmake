@@ -19,7 +19,7 @@ set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 # The headers of the standard library, of Boost and of CGAL cost far more than our own text. Names in
 # anonymous namespaces are therefore distinct within a target.
 set(CMAKE_UNITY_BUILD ${GONOGO_UNITY})
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 40)
 
 # g++ looks for what it no longer needs whenever it has grown by a third, a tenth of its time; up to
 # this many kB it does not.
@@ -65,15 +65,38 @@ function(gonogo_instrument_for_fuzzing name folder)
   endif()
 endfunction()
 
+# What a fuzz build takes from the release build beside it (GONOGO_FUZZ_RELEASED): target TARGET there makes ARCHIVE.
+function(gonogo_take_released target archive)
+  set_property(GLOBAL APPEND PROPERTY GONOGO_RELEASED_TARGETS ${target})
+  set_property(GLOBAL APPEND PROPERTY GONOGO_RELEASED_ARCHIVES ${archive})
+endfunction()
+# That build brings them up to date itself, so that nothing here is linked with older ones.
+function(gonogo_build_released)
+  get_property(targets GLOBAL PROPERTY GONOGO_RELEASED_TARGETS)
+  get_property(archives GLOBAL PROPERTY GONOGO_RELEASED_ARCHIVES)
+  add_custom_target(gonogo_released_archives
+    COMMAND ${CMAKE_COMMAND} --build ${GONOGO_FUZZ_RELEASED} --target ${targets} -- --quiet
+    BYPRODUCTS ${archives} VERBATIM)
+endfunction()
+
 # gonogo_folder(NAME SOURCES...): the static library of one folder of the house. Those of grammar
 # and reference up to what is published are what `gonogo::oracle` of the installed package consists of.
+# With GONOGO_FUZZ_RELEASED, what reads nothing of a stranger's and is no target's subject is that build's library.
 function(gonogo_folder name)
-  add_library(gonogo_${name} STATIC ${ARGN})
+  file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  if(GONOGO_FUZZ_RELEASED AND folder MATCHES "^(fuzz/(generate|relations|hunt|identify)|publish/(report|site|manual))(/|$)")
+    file(WRITE ${CMAKE_BINARY_DIR}/released.cpp "")
+    add_library(gonogo_${name} STATIC ${CMAKE_BINARY_DIR}/released.cpp)
+    set(archive ${GONOGO_FUZZ_RELEASED}/${folder}/libgonogo_${name}.a)
+    target_link_libraries(gonogo_${name} PUBLIC ${archive})
+    gonogo_take_released(gonogo_${name} ${archive})
+  else()
+    add_library(gonogo_${name} STATIC ${ARGN})
+  endif()
   add_library(gonogo::${name} ALIAS gonogo_${name})
   target_link_libraries(gonogo_${name} PUBLIC $<BUILD_INTERFACE:gonogo_build_settings>)
   target_include_directories(gonogo_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:include/gonogo-oracle>)
-  file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   gonogo_instrument_for_fuzzing(${name} ${folder})
   if(folder MATCHES "^(grammar|reference|oracle|subjects|campaign|capture|publish|corpus/io)(/|$)")
     set_property(GLOBAL APPEND PROPERTY GONOGO_ORACLE_FOLDERS ${name})

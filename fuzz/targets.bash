@@ -65,3 +65,24 @@ copy_seeds() {
 run_stream() {
   GONOGO_FUZZ_STREAM="$3 $4 $(target_most_bytes "$1" "$2")" "$2/fuzz/$1" "${@:5}"
 }
+
+# pack_target TARGET BUILD OUT: the target as services that fuzz want it: OUT/TARGET with its libraries in OUT/lib,
+# for where it runs there may be none but the C library, its seeds, its options, and its dictionary if it has one.
+pack_target() {
+  local target=$1 build=$2 out=$3 dialect seeds
+  mkdir -p "$out/lib"
+  cp "$build/fuzz/$target" "$out/$target"
+  ldd "$out/$target" | awk -v own="$out/lib/" '$2 == "=>" && $3 ~ /^\// && index($3, own) != 1 {print $3}' |
+    { grep -vE '/(libc|libm|libpthread|libdl|librt|libresolv)\.so' || true; } | xargs -r cp -Lt "$out/lib"
+  dialect=$(target_dialect "$target" "$build")
+  {
+    printf '[libfuzzer]\ntimeout = 20\nrss_limit_mb = 2048\nmax_len = %s\n' "$(target_most_bytes "$target" "$build")"
+    [ -z "$dialect" ] || printf 'dict = %s.dict\n' "$target"
+    printf '\n[asan]\ndetect_stack_use_after_return = 0\n'
+  } >"$out/$target.options"
+  [ -z "$dialect" ] || write_dictionary "$target" "$build" "$out/$target.dict"
+  seeds=$build/seeds/$target
+  rm -rf "$seeds" "$out/${target}_seed_corpus.zip"
+  copy_seeds "$target" "$build" "$seeds"
+  (cd "$seeds" && find . -type f | LC_ALL=C sort | zip -q -X "$out/${target}_seed_corpus.zip" -@)
+}

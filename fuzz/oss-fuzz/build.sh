@@ -33,27 +33,4 @@ source "$root/fuzz/targets.bash"
 read -ra targets <<<"${FUZZ_TARGETS:-$(target_names "$work" | tr '\n' ' ')}"
 cmake --build "$work" --target "${targets[@]}"
 
-# Where the targets run there may be none of the libraries but the C library.
-copy_libraries() {
-  ldd "$1" | awk -v own="$OUT/lib/" '$2 == "=>" && $3 ~ /^\// && index($3, own) != 1 {print $3}' |
-    { grep -vE '/(libc|libm|libpthread|libdl|librt|libresolv)\.so' || true; } | xargs -r cp -Lt "$OUT/lib"
-}
-
-write_options() {
-  printf '[libfuzzer]\ntimeout = 20\nrss_limit_mb = 2048\nmax_len = %s\n' \
-    "$(target_most_bytes "$1" "$work")"
-  [ -z "$(target_dialect "$1" "$work")" ] || printf 'dict = %s.dict\n' "$1"
-  printf '\n[asan]\ndetect_stack_use_after_return = 0\n'
-}
-
-for target in "${targets[@]}"; do
-  cp "$work/fuzz/$target" "$OUT/$target"
-  copy_libraries "$OUT/$target"
-  write_options "$target" >"$OUT/$target.options"
-  dialect=$(target_dialect "$target" "$work")
-  [ -z "$dialect" ] || write_dictionary "$target" "$work" "$OUT/$target.dict"
-  seeds=$work/seeds/$target
-  rm -rf "$seeds" "$OUT/${target}_seed_corpus.zip"
-  copy_seeds "$target" "$work" "$seeds"
-  (cd "$seeds" && find . -type f | LC_ALL=C sort | zip -q -X "$OUT/${target}_seed_corpus.zip" -@)
-done
+for target in "${targets[@]}"; do pack_target "$target" "$work" "$OUT"; done
