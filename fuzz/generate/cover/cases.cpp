@@ -28,7 +28,7 @@ std::vector<std::string> words_of(std::string_view text) {
   return words;
 }
 
-std::string joined(const std::set<std::string>& texts) {
+std::string in_one_line(const std::set<std::string>& texts) {
   std::string out;
   for (const std::string& text : texts) out += (out.empty() ? "" : ", ") + text;
   return out.empty() ? "none" : out;
@@ -197,7 +197,7 @@ std::optional<DrawnCase> case_of(const Making& making, const Parameters& paramet
   const std::set<std::string> got = alarms_of(test.expect.front());
   if (got != wanted) {
     why = fmt::format("the model wants the alarms {}, the reference gives {}.\n{} {}\n{}",
-                      joined(wanted), joined(got), test.comment,
+                      in_one_line(wanted), in_one_line(got), test.comment,
                       reference::profile_json(test.profile), test.program);
     return std::nullopt;
   }
