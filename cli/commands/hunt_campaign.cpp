@@ -69,6 +69,12 @@ int hunt_campaign(HuntWords words) {
   if (!words.trial.out.empty()) {
     throw UsageError("A campaign has its own folder: --campaign DIR without --out.");
   }
+  if (words.programs != 0 && words.programs < words.round) {
+    throw UsageError(fmt::format(
+        "--programs {} ends within the first round of {}, which the next run then does again: give "
+        "--round {} or less.",
+        words.programs, words.round, words.programs));
+  }
   const Shard machine = shard_option(words.shard);
   const auto jobs = static_cast<std::size_t>(words.jobs);
   const std::size_t shards = machine.of * jobs;
