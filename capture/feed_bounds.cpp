@@ -10,16 +10,16 @@ namespace {
 
 constexpr std::size_t kQuarters = 4;
 constexpr std::size_t kFewest = 2 * kQuarters;  // samples in the middle half
-constexpr std::size_t kMost = 100'000;          // samples of one motion that are kept
+constexpr std::size_t kMostSamples = 100'000;          // samples of one motion that are kept
 
 }  // namespace
 
 void FeedWatch::add(double time, double low, double high, std::size_t number) {
   // As far as it is known the machine still rests at the start.
   if (places_.size() == 1 && places_.front().low <= 0 && low <= 0) places_.clear();
-  if (places_.size() == kMost) {  // every other one says as much of a motion so long
-    for (std::size_t i = 0; i < kMost / 2; ++i) places_[i] = places_[2 * i];
-    places_.resize(kMost / 2);
+  if (places_.size() == kMostSamples) {  // every other one says as much of a motion so long
+    for (std::size_t i = 0; i < kMostSamples / 2; ++i) places_[i] = places_[2 * i];
+    places_.resize(kMostSamples / 2);
   }
   places_.push_back({time, low, high, number});
 }
