@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kQuarters = 4;
 constexpr std::size_t kFewest = 2 * kQuarters;  // samples in the middle half
-constexpr std::size_t kMostSamples = 100'000;          // samples of one motion that are kept
+constexpr std::size_t kMostSamples = 100'000;   // samples of one motion that are kept
 
 }  // namespace
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "open_parts.hpp"
 #include "corpus/io/corpus.hpp"
+#include "open_parts.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::mutations {
@@ -59,14 +59,15 @@ std::shared_ptr<const OpenPart> conditions_of(const Item& part) {
 }
 
 // Each turn of a helix is a place where the bench looks.
-constexpr std::int32_t kMostTurns = 1000;
+constexpr std::int32_t kMostTurnsOfAHelix = 1000;
 
 // The trace that is shown. False where it ends in what is not covered.
 bool take_shown(Specimen& specimen, std::size_t most) {
   reference::Position here = specimen.profile.initial.at;
   for (const Item& item : items_of(specimen, reference::OpenPaths::shown)) {
     if (const auto* record = std::get_if<Record>(&item)) {
-      if (specimen.right.records.size() >= most || std::abs(record->rot) > kMostTurns) return false;
+      if (specimen.right.records.size() >= most || std::abs(record->rot) > kMostTurnsOfAHelix)
+        return false;
       specimen.before.push_back(here);
       if (is_motion(record->kind)) {
         for (const reference::Axis axis : reference::kAllAxes) {
