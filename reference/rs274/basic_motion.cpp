@@ -68,9 +68,9 @@ void run_straight_feed(BlockContext& block) {
   const Machine& machine = block.machine;
   if (!machine.is_inverse_time) block.need_feed("NGC-G0-01"_clause);
   const bool rotary = block.turns_alone(to);
-  const Number feed = machine.is_inverse_time ? block.words.written('F') *
-                                                    way_of_feed(machine.position, to, rotary)
-                                              : machine.feed;
+  const Number feed = machine.is_inverse_time && block.words.has('F')
+                          ? block.words.written('F') * way_of_feed(machine.position, to, rotary)
+                          : machine.feed;
   Record record = block.motion_to(RecordKind::feed, "NGC-G0-01"_clause, axes, to);
   record.feed = rotary && !machine.is_inverse_time ? machine.rotary_feed : feed;
   block.put(std::move(record));

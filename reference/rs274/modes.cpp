@@ -103,7 +103,7 @@ bool fits_modes(BlockContext& block) {
   if (!block.words.has('F')) {
     block.alarm(AlarmClass::feed_missing, "NGC-FED-01"_clause, 'F',
                 "In inverse time each block that cuts needs an F.");
-    return false;
+    return true;  // what else is wrong with its words may be told in its place
   }
   if (block.words.written('F').sign() != 0) return true;
   leave_out(block, 'F', "No text says how a block takes endless time, as F0 has it.");
