@@ -30,7 +30,8 @@ class Run {
         results_(results),
         progress_(progress),
         known_failures_(options.known_failures),
-        queue_(corpus, options.seed, [this](Case test) { return select(std::move(test)); }) {}
+        queue_(corpus, options.dialects, options.seed,
+               [this](Case test) { return select(std::move(test)); }) {}
 
   void work(const SubjectMaker& make_subject);
   CampaignEnd end();
@@ -167,7 +168,7 @@ CampaignEnd Run::end() {
 
 std::size_t count_cases(const Corpus& corpus, const CampaignOptions& options) {
   std::size_t count = 0;
-  CaseReader reader(corpus, Detail::to_run);
+  CaseReader reader(corpus, Detail::to_run, options.dialects);
   while (auto test = reader.next()) {
     if (!is_selected(options, *test)) continue;
     auto merged = under(options, *std::move(test));
@@ -178,7 +179,7 @@ std::size_t count_cases(const Corpus& corpus, const CampaignOptions& options) {
 
 std::optional<std::string> first_wrong_vector(const Corpus& corpus,
                                               const CampaignOptions& options) {
-  CaseReader reader(corpus);
+  CaseReader reader(corpus, Detail::whole, options.dialects);
   while (const auto test = reader.next()) {
     if (!is_selected(options, *test)) continue;
     if (auto fault = recheck(*test)) return fmt::format("{}: {}", test->id, *fault);

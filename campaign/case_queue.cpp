@@ -5,18 +5,22 @@
 
 namespace gonogo::oracle {
 
-CaseQueue::CaseQueue(const Corpus& corpus, std::uint64_t seed, Select select)
-    : reader_([this, &corpus, seed, choose = std::move(select)] { read(corpus, seed, choose); }) {}
+CaseQueue::CaseQueue(const Corpus& corpus, std::vector<std::string> dialects, std::uint64_t seed,
+                     Select select)
+    : reader_([this, &corpus, wanted = std::move(dialects), seed, choose = std::move(select)] {
+        read(corpus, wanted, seed, choose);
+      }) {}
 
 CaseQueue::~CaseQueue() {
   stop();
   if (reader_.joinable()) reader_.join();
 }
 
-void CaseQueue::read(const Corpus& corpus, std::uint64_t seed, const Select& select) {
+void CaseQueue::read(const Corpus& corpus, const std::vector<std::string>& dialects,
+                     std::uint64_t seed, const Select& select) {
   std::exception_ptr failure;
   try {
-    CaseReader reader(corpus, Detail::to_run, seed);
+    CaseReader reader(corpus, Detail::to_run, dialects, seed);
     bool wanted = true;
     while (wanted) {
       std::optional<Case> test = reader.next();

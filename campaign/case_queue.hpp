@@ -22,9 +22,10 @@ class CaseQueue {
   // What of a case of the corpus is to be run; nothing: not this one.
   using Select = std::function<std::optional<Case>(Case)>;
 
-  // Begins to read, in the order of the seed. The corpus must outlive the queue; `select` is called
-  // in the reading thread.
-  CaseQueue(const Corpus& corpus, std::uint64_t seed, Select select);
+  // Begins to read the cases of these dialects (none: of all), in the order of the seed. The corpus
+  // must outlive the queue; `select` is called in the reading thread.
+  CaseQueue(const Corpus& corpus, std::vector<std::string> dialects, std::uint64_t seed,
+            Select select);
   CaseQueue(const CaseQueue&) = delete;
   CaseQueue& operator=(const CaseQueue&) = delete;
   ~CaseQueue();
@@ -41,7 +42,8 @@ class CaseQueue {
   std::size_t expected() const;
 
  private:
-  void read(const Corpus& corpus, std::uint64_t seed, const Select& select);
+  void read(const Corpus& corpus, const std::vector<std::string>& dialects, std::uint64_t seed,
+            const Select& select);
   bool put(Case test, double part);
 
   static constexpr std::size_t kMost = 512;

@@ -149,7 +149,7 @@ void check_cases(const Corpus& corpus, const std::map<unsigned, Shard>& shards) 
   const unsigned all = std::exchange(asked.shards, 1);
   std::map<unsigned, std::uint64_t> cases;
   std::map<unsigned, std::uint64_t> left_out;
-  CaseReader reader(corpus, Detail::to_run);
+  CaseReader reader(corpus, Detail::to_run, asked.dialects);
   while (std::optional<Case> test = reader.next()) {
     if (!is_selected(asked, *test)) continue;
     const std::string id = test->id;

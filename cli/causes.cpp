@@ -18,7 +18,7 @@ namespace {
 std::optional<identify::ProgramAsked> asked_in(const oracle::Corpus& corpus,
                                                const oracle::CampaignOptions& campaign,
                                                const std::string& id) {
-  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run, campaign.dialects);
   while (const auto test = reader.next()) {
     if (test->id != id) continue;
     const auto own = oracle::under(campaign, *test);

@@ -16,9 +16,8 @@ namespace {
 
 void add_corpus_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach& reach) {
   const oracle::Corpus corpus(corpus_folder(words.corpus));
-  oracle::CaseReader reader(corpus, oracle::Detail::whole);
+  oracle::CaseReader reader(corpus, oracle::Detail::whole, {words.dialect});
   while (const auto test = reader.next()) {
-    if (test->dialect != words.dialect) continue;
     for (const std::string& clause : test->clauses) reach.add_about(clause);
     const generate::GeneratedProgram program{test->profile, test->program};
     reach.add(hunt::ProgramSource::corpus, program, trial.run(program), test->features);

@@ -269,7 +269,7 @@ void describe_smallest(const oracle::Corpus& corpus, const oracle::ResultsHeader
     row.next = again_command(run, row);
     wanted[row.id] = &row;
   }
-  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run, oracle::asked_in(run).dialects);
   while (!wanted.empty()) {
     const auto test = reader.next();
     if (!test) break;
@@ -356,10 +356,8 @@ void check_vectors(const CertifyOptions& options) {
 void check_cycles(const CertifyOptions& options, const oracle::Corpus& corpus) {
   if (options.cycles.empty()) return;
   std::set<std::string> known;
-  corpus.for_each([&](const oracle::Case& test) {
-    known.insert(test.cycle);
-    return true;
-  });
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  while (const auto test = reader.next()) known.insert(test->cycle);
   for (const std::string& cycle : options.cycles) {
     if (known.contains(cycle)) continue;
     throw UsageError(fmt::format(

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "corpus/io/embedded.hpp"
 #include "corpus/io/files.hpp"
@@ -33,9 +32,9 @@ std::string embedded_file_text(const std::string& path) {
 std::string file_text(const std::string& path) {
   if (path.starts_with(kEmbeddedFolder)) return embedded_file_text(path);
   std::ifstream file = open_regular(path);
-  std::string text;
-  if (file) text = (std::ostringstream() << file.rdbuf()).str();
-  if (!file || file.bad()) {
+  std::error_code error;
+  std::string text(file ? fs::file_size(path, error) : 0, '\0');
+  if (!file || error || !file.read(text.data(), static_cast<std::streamsize>(text.size()))) {
     throw CorpusError(fmt::format("{} cannot be read: {}.", path, std::strerror(errno)));
   }
   return text;

@@ -81,7 +81,7 @@ class CorpusError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A folder of vector files (*.json below <folder>/vectors), in the order of their names.
+// A folder of vector files (<folder>/vectors/DIALECT/*.json), in the order of their names.
 class Corpus {
  public:
   // Lists the files and reads the manifest; throws CorpusError.
@@ -114,26 +114,31 @@ enum class Detail { whole, to_run };
 // Gives the cases of a corpus out one after the other, one file in memory at a time.
 class CaseReader {
  public:
-  // The corpus must outlive the reader. `seed`: files, in each its groups, in each its cases come
-  // in an order of that seed; 0: in that of their names and ids.
-  explicit CaseReader(const Corpus& corpus, Detail detail = Detail::whole, std::uint64_t seed = 0);
+  // The corpus must outlive the reader. `dialects`: only the cases of these, none for all; a file
+  // in the folder of another one is not opened. `seed`: files, in each its groups, in each its
+  // cases come in an order of that seed; 0: in that of their names and ids.
+  explicit CaseReader(const Corpus& corpus, Detail detail = Detail::whole,
+                      std::vector<std::string> dialects = {}, std::uint64_t seed = 0);
   CaseReader(const CaseReader&) = delete;
   CaseReader& operator=(const CaseReader&) = delete;
-  // Nothing after the last. Throws CorpusError, also for an id that stands in two files or is
-  // retired.
+  // Nothing after the last. Throws CorpusError, also for an id that stands in two of the files or
+  // is retired, and for a file that is not of the dialect of its folder.
   std::optional<Case> next();
-  // How much of the corpus has been given out, from 0 to 1.
+  // How much of these files has been given out, from 0 to 1.
   double part() const;
 
  private:
   std::string path(std::size_t file) const;
+  bool is_wanted(const std::string& dialect) const;
+  void read_file();
   void shuffle();
   void refuse_again(const std::string& id) const;
 
   const Corpus& corpus_;
   Detail detail_;
+  std::vector<std::string> dialects_;
   std::uint64_t seed_;
-  std::vector<std::size_t> order_;  // of the files
+  std::vector<std::size_t> order_;  // of the files that are read
   std::uint64_t bytes_ = 0;         // of all files
   std::uint64_t bytes_before_ = 0;  // of the files before the present one
   std::uint64_t present_bytes_ = 0;

@@ -9,9 +9,8 @@ std::set<Signature> known_signatures(const std::vector<oracle::KnownFailure>& en
                                      const oracle::Corpus& corpus, const std::string& dialect,
                                      Trial& trial) {
   std::set<Signature> signatures;
-  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run, {dialect});
   while (const auto test = reader.next()) {
-    if (test->dialect != dialect) continue;
     const auto is_of_it = [&](const oracle::KnownFailure& entry) {
       return !entry.flaky && entry.covers(test->id);
     };

@@ -43,10 +43,8 @@ void SignCounter::note(const reference::Decision& decision) {
 
 SignCounter::Counts signs_of_corpus(const oracle::Corpus& corpus, std::string_view dialect) {
   SignCounter counter;
-  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
-  while (const auto test = reader.next()) {
-    if (test->dialect == dialect) expand_case(*test);
-  }
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run, {std::string(dialect)});
+  while (const auto test = reader.next()) expand_case(*test);
   return counter.counts();
 }
 

@@ -158,10 +158,9 @@ Programs programs_like(const oracle::Corpus& corpus, const Observation& seen,
   const Motions codes = codes_that_matter(seen);
   std::vector<ProgramAsked> alike;
   std::vector<ProgramAsked> others;
-  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run, {seen.profile.dialect});
   while (const auto test = reader.next()) {
-    if (test->dialect != seen.profile.dialect || test->id == seen.id) continue;
-    if (test->program.size() > kMostBytes) continue;
+    if (test->id == seen.id || test->program.size() > kMostBytes) continue;
     const ProgramText program(test->profile, test->program);
     const bool like = std::ranges::any_of(program.blocks, [&](const TextBlock& block) {
       return codes.contains(block.modes.code_name());

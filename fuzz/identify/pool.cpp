@@ -63,9 +63,8 @@ void PoolMaker::keep(Probe probe) {
 }
 
 void PoolMaker::take_corpus(const oracle::Corpus& corpus) {
-  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run, {pool_.dialect});
   while (const auto test = reader.next()) {
-    if (test->dialect != pool_.dialect) continue;
     take(test->id, test->program, test->profile, {test->features.begin(), test->features.end()});
   }
 }

@@ -9,6 +9,7 @@
 
 #include "campaign/encoding.hpp"
 #include "campaign/results_reader.hpp"
+#include "campaign/selection.hpp"
 #include "publish/evidence/badge.hpp"
 #include "publish/evidence/causes.hpp"
 #include "publish/evidence/junit.hpp"
@@ -45,7 +46,7 @@ std::map<std::string, report::CorpusCase> programs_of(const Corpus* corpus, cons
   const Json about = header.value("corpus", Json::object());
   if (corpus == nullptr || report::text_of(about, "sha256") != corpus->sha256()) return programs;
   std::size_t bytes = 0;
-  CaseReader reader(*corpus, Detail::to_run);
+  CaseReader reader(*corpus, Detail::to_run, asked_in(header).dialects);
   while (bytes < kMostBytes) {
     const auto test = reader.next();
     if (!test) break;

@@ -195,6 +195,35 @@ TEST(Corpus, AFileThatTheManifestDoesNotList) {
             "List each of them once.");
 }
 
+// Two files, each in the folder of a dialect; the ids that a reader of `dialects` gives out, or its
+// error.
+std::string read_of(const std::vector<std::string>& dialects, std::string_view rs274) {
+  const ScratchFolder scratch;
+  scratch.write("manifest.json",
+                R"({"format":1,"version":"2026.1.0","license":"CC0-1.0","files":)"
+                R"(["vectors/gsk988ta/a.json","vectors/rs274/b.json"],"retired":[]})");
+  scratch.write("vectors/gsk988ta/a.json", kGoodVectorFile);
+  scratch.write("vectors/rs274/b.json", rs274);
+  const std::string folder = scratch.path().string();
+  std::string ids;
+  const std::string message = corpus_error([&] {
+    const oracle::Corpus corpus(folder);
+    oracle::CaseReader reader(corpus, oracle::Detail::whole, dialects);
+    while (const auto test = reader.next()) ids += test->id + " ";
+  });
+  return message.starts_with(folder) ? message.substr(folder.size()) : message + ids;
+}
+
+TEST(Corpus, OfOneDialectOnlyItsFilesAreRead) {
+  EXPECT_EQ(read_of({"gsk988ta"}, "no vectors"), "t.a.000001 ");
+  EXPECT_TRUE(read_of({}, "no vectors").starts_with("/vectors/rs274/b.json"));
+}
+
+TEST(Corpus, AFileInTheFolderOfAnotherDialect) {
+  EXPECT_EQ(read_of({}, broken("t.a.000001", "t.a.000002")),
+            "/vectors/rs274/b.json: The dialect is gsk988ta, and the folder is that of rs274.");
+}
+
 TEST(Corpus, AFolderThatIsNone) {
   EXPECT_TRUE(corpus_error([] { oracle::Corpus("/nowhere"); }).starts_with("/nowhere/vectors"));
 }
