@@ -45,7 +45,7 @@ void check_keys(std::string_view text, std::string_view path) {
     if (c == '\n') ++at.line;
     if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) points = 0;
     if (c == '.' && ++points >= kMostParts) {
-      throw toml::parse_error("A key has more than 16 parts.", at,
+      throw toml::parse_error("A key has more than 16 parts", at,
                               std::make_shared<const std::string>(path));
     }
     text.remove_prefix(1);
