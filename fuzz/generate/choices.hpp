@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <random>
 #include <span>
@@ -36,6 +37,10 @@ class Choices {
   template <typename T>
   T pick(std::initializer_list<T> items) {
     return items.begin()[below(static_cast<std::uint32_t>(items.size()))];
+  }
+  template <typename List>
+  const auto& pick(const List& list) {
+    return list[below(static_cast<std::uint32_t>(std::size(list)))];
   }
   // From now on notes there the decisions whose bytes are all there. It must outlive this.
   void note_in(std::vector<NotedDecision>& decisions) { noted_ = &decisions; }

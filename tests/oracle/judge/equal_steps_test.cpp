@@ -10,6 +10,7 @@
 #include "oracle/motion/plain_line.hpp"
 #include "oracle/records/trace_reader.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
+#include "tests/trials.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -23,8 +24,9 @@ TEST(EqualSteps, SayWhatTheWholeWaySays) {
   std::size_t known = 0;
   std::size_t records = 0;
   for (long i = 0; i < trials.count; ++i) {
+    generate::Choices choices(trials.chance());
     const GeneratedOutcome of =
-        generated_outcome(trials.one_of(generate::generators()), {}, trials);
+        generated_outcome(choices.pick(generate::generators()), {}, choices);
     const Profile& profile = of.program.profile;
     Tolerances terms = of.terms;
     terms.skip_equal = false;

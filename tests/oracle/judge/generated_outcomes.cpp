@@ -68,13 +68,13 @@ Outcome run(const gonogo_subject_v1& table, const reference::Profile& profile,
 }
 
 // One record other than it was, or one more or less.
-void spoil(Outcome& outcome, Trials& trials) {
+void spoil(Outcome& outcome, generate::Choices& choices) {
   if (outcome.records.empty()) return;
-  const std::size_t at = trials.below(outcome.records.size());
+  const std::size_t at = choices.below(static_cast<std::uint32_t>(outcome.records.size()));
   const auto place = outcome.records.begin() + static_cast<std::ptrdiff_t>(at);
-  const Number step = Number::millionths(
-      trials.one_of(std::to_array<std::int64_t>({1, -1, 900, 1'100, -1'000'000})));
-  switch (trials.below(8)) {
+  const Number step =
+      Number::millionths(choices.pick<std::int64_t>({1, -1, 900, 1'100, -1'000'000}));
+  switch (choices.below(8)) {
     case 0:
       outcome.records.erase(place);
       return;
@@ -94,17 +94,18 @@ void spoil(Outcome& outcome, Trials& trials) {
       place->clause = reference::kNoClause;
       return;
     default: {
-      const Axis axis = trials.one_of(kAllAxes);
+      const Axis axis = choices.pick(kAllAxes);
       place->axes.add(axis);
       place->to[axis] += step;
     }
   }
 }
 
-const gonogo_subject_v1& any_expander(const generate::Generator& generator, Trials& trials) {
+const gonogo_subject_v1& any_expander(const generate::Generator& generator,
+                                      generate::Choices& choices) {
   const auto faults = expanders::faults(generator.expander);
   std::string_view fault;
-  if (trials.once_in(2)) fault = faults[trials.below(faults.size())].name;
+  if (choices.one_in(2)) fault = choices.pick(faults).name;
   return *expanders::find(generator.expander, fault);
 }
 
@@ -118,8 +119,8 @@ void run_and_note_terms(const gonogo_subject_v1& table, GeneratedOutcome& made) 
 }  // namespace
 
 GeneratedOutcome right_outcome(const generate::Generator& generator,
-                               const generate::GeneratorSettings& settings, Trials& trials) {
-  generate::Choices choices(trials.chance());
+                               const generate::GeneratorSettings& settings,
+                               generate::Choices& choices) {
   GeneratedOutcome made{generator.generate(choices, settings, nullptr), {}, {}};
   run_and_note_terms(*expanders::find(generator.expander, ""), made);
   return made;
@@ -127,15 +128,14 @@ GeneratedOutcome right_outcome(const generate::Generator& generator,
 
 GeneratedOutcome generated_outcome(const generate::Generator& generator,
                                    const std::vector<reference::ReadingKey>& opened,
-                                   Trials& trials) {
+                                   generate::Choices& choices) {
   generate::GeneratorSettings settings;
   settings.kinds = {.valid = 0, .near_invalid = 2, .boundary = 0, .raw = 0, .tiny = 1};
-  generate::Choices choices(trials.chance());
   GeneratedOutcome made{generator.generate(choices, settings, nullptr), {}, {}};
   reference::Profile& profile = made.program.profile;
   for (const reference::ReadingKey key : opened) profile.readings.set(key, "any");
-  run_and_note_terms(any_expander(generator, trials), made);
-  if (trials.once_in(2)) spoil(made.outcome, trials);
+  run_and_note_terms(any_expander(generator, choices), made);
+  if (choices.one_in(2)) spoil(made.outcome, choices);
   return made;
 }
 

@@ -9,7 +9,6 @@
 #include "fuzz/generate/generator.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/records/subject_outcome.hpp"
-#include "tests/trials.hpp"
 
 namespace gonogo::oracle {
 
@@ -26,12 +25,13 @@ struct GeneratedOutcome {
 
 // What an expander does rightly with a program of the settings.
 GeneratedOutcome right_outcome(const generate::Generator& generator,
-                               const generate::GeneratorSettings& settings, Trials& trials);
+                               const generate::GeneratorSettings& settings,
+                               generate::Choices& choices);
 
 // `opened`: readings that the profile leaves open.
 GeneratedOutcome generated_outcome(const generate::Generator& generator,
                                    const std::vector<reference::ReadingKey>& opened,
-                                   Trials& trials);
+                                   generate::Choices& choices);
 
 std::string line_of(const Record& record);
 

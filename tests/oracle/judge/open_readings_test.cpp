@@ -10,6 +10,7 @@
 
 #include "oracle/differential/reference_run.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
+#include "tests/trials.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -71,11 +72,11 @@ bool are_passed_by(const std::vector<ReadingKey>& open, const Profile& profile,
   return std::ranges::none_of(open, [&](ReadingKey key) { return judge.readings().touched(key); });
 }
 
-std::vector<ReadingKey> some_readings(std::string_view dialect, Trials& trials) {
+std::vector<ReadingKey> some_readings(std::string_view dialect, generate::Choices& choices) {
   std::vector<ReadingKey> keys;
-  const bool all = trials.once_in(10);
+  const bool all = choices.one_in(10);
   for (const reference::Reading& reading : reference::readings()) {
-    if (!reading.by_properties && reading.belongs_to(dialect) && (all || trials.once_in(3))) {
+    if (!reading.by_properties && reading.belongs_to(dialect) && (all || choices.one_in(3))) {
       keys.push_back(reading.key);
     }
   }
@@ -90,9 +91,10 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
   std::size_t too_many = 0;
   long elsewhere = 0;
   for (long i = 0; i < trials.count; ++i) {
-    const generate::Generator& generator = trials.one_of(generate::generators());
+    generate::Choices choices(trials.chance());
+    const generate::Generator& generator = choices.pick(generate::generators());
     const GeneratedOutcome of =
-        generated_outcome(generator, some_readings(generator.dialect, trials), trials);
+        generated_outcome(generator, some_readings(generator.dialect, choices), choices);
     const Profile& profile = of.program.profile;
     const std::string& program = of.program.text;
     // Together they may be more than are followed at once.

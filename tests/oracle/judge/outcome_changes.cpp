@@ -84,7 +84,7 @@ void split_arc(const Motion& arc, double part, const Number& least, std::vector<
   records.back().rot = sense * static_cast<std::int32_t>(std::ceil(second));
 }
 
-void split_line(const Motion& line, const Number& least, Trials& trials,
+void split_line(const Motion& line, const Number& least, generate::Choices& choices,
                 std::vector<Record>& records) {
   constexpr int kPieces = 8;
   if (agree(line.from, between(line, 1, kPieces), least)) {
@@ -92,7 +92,7 @@ void split_line(const Motion& line, const Number& least, Trials& trials,
     return;
   }
   for (int piece = 1; piece < kPieces; ++piece) {
-    if (trials.once_in(3)) records.push_back(with_end(line.record, between(line, piece, kPieces)));
+    if (choices.one_in(3)) records.push_back(with_end(line.record, between(line, piece, kPieces)));
   }
   records.push_back(line.record);
 }
@@ -112,16 +112,17 @@ Number multiple(const Number& value, const Number& unit) {
 
 }  // namespace
 
-Outcome split(const Outcome& outcome, const Position& start, const Number& least, Trials& trials) {
+Outcome split(const Outcome& outcome, const Position& start, const Number& least,
+              generate::Choices& choices) {
   Outcome result{{}, outcome.end};
   each_motion(outcome, start, [&](const Motion& motion, bool moves) {
     const RecordKind kind = motion.record.kind;
     if (!moves || kind == RecordKind::arc3) {
       result.records.push_back(motion.record);
     } else if (kind == RecordKind::arc) {
-      split_arc(motion, 0.1 * static_cast<double>(1 + trials.below(9)), least, result.records);
+      split_arc(motion, 0.1 * static_cast<double>(1 + choices.below(9)), least, result.records);
     } else {
-      split_line(motion, least, trials, result.records);
+      split_line(motion, least, choices, result.records);
     }
   });
   return result;
@@ -168,17 +169,18 @@ Outcome rounded(const Outcome& outcome, const Position& start, const Number& res
   return result;
 }
 
-Outcome with_nothing_added(const Outcome& outcome, const Position& start, Trials& trials) {
+Outcome with_nothing_added(const Outcome& outcome, const Position& start,
+                           generate::Choices& choices) {
   Outcome result{{}, outcome.end};
   each_motion(outcome, start, [&](const Motion& motion, bool moves) {
-    if (moves && trials.once_in(3)) {
+    if (moves && choices.one_in(3)) {
       Record nothing = motion.record;
-      if (trials.once_in(3)) {
+      if (choices.one_in(3)) {
         nothing.kind = RecordKind::dwell;
         nothing.seconds = 0;
       } else {
         nothing = with_end(nothing, motion.from);
-        nothing.kind = trials.once_in(2) ? RecordKind::rapid : RecordKind::feed;
+        nothing.kind = choices.one_in(2) ? RecordKind::rapid : RecordKind::feed;
       }
       result.records.push_back(nothing);
     }
@@ -187,10 +189,10 @@ Outcome with_nothing_added(const Outcome& outcome, const Position& start, Trials
   return result;
 }
 
-Outcome renumbered(const Outcome& outcome, Trials& trials) {
+Outcome renumbered(const Outcome& outcome, generate::Choices& choices) {
   Outcome result = outcome;
-  for (Record& record : result.records) record.block = trials.below(20);
-  if (trials.once_in(2)) result.end.alarm.block = trials.below(20);
+  for (Record& record : result.records) record.block = choices.below(20);
+  if (choices.one_in(2)) result.end.alarm.block = choices.below(20);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "tests/fixed_seed.hpp"
+#include "tests/fuzz/generate/drawn_decisions.hpp"
 #include "tests/oracle/judge/outcome_changes.hpp"
 #include "tests/oracle/judge/own_outcome.hpp"
 
@@ -96,19 +97,12 @@ generate::GeneratorSettings small_and_large() {
   return settings;
 }
 
-Trials drawn_trials() {
-  static const Trials kAny(0);
-  Trials trials = kAny;
-  trials.chance.seed(*rc::gen::arbitrary<std::uint64_t>());
-  return trials;
-}
-
 enum class Of { right, any };
 
-Tried drawn(Of of, Trials& trials) {
-  const generate::Generator& generator = trials.one_of(generate::generators());
-  Tried tried{of == Of::right ? right_outcome(generator, small_and_large(), trials)
-                              : generated_outcome(generator, {}, trials),
+Tried drawn(Of of, generate::Choices& choices) {
+  const generate::Generator& generator = choices.pick(generate::generators());
+  Tried tried{of == Of::right ? right_outcome(generator, small_and_large(), choices)
+                              : generated_outcome(generator, {}, choices),
               VerdictKind::skip};
   RC_PRE(!renames_position(tried.of.program.text));
   RC_PRE(!is_tiny(tried.of.program, tried.of.terms.tolerance));
@@ -117,25 +111,55 @@ Tried drawn(Of of, Trials& trials) {
   return tried;
 }
 
-// The decision of the changed outcome is that of the first; except for gaps, where nothing is
-// claimed.
-void expect_same(const Tried& tried, const Outcome& changed) {
+// How much of what a property drew was decided, for nothing is claimed of the rest.
+class Share {
+ public:
+  void note(bool is_decided) {
+    RC_CLASSIFY(is_decided, "decided");
+    ++drawn_;
+    if (is_decided) ++decided_;
+  }
+  bool is_enough() const { return decided_ * 100 >= drawn_ * kLeastPercent; }
+
+ private:
+  static constexpr int kLeastPercent = 95;
+  int drawn_ = 0;
+  int decided_ = 0;
+};
+
+// The decision of the changed outcome is that of the first.
+void expect_same(const Tried& tried, const Outcome& changed, Share& share) {
   const Verdict verdict = judge(tried, changed, tried.of.terms);
   const Decision before = decision(tried.kind);
   const Decision after = decision(verdict.kind);
-  if (before == after || before == Decision::undecided || after == Decision::undecided) return;
+  const bool is_decided = before != Decision::undecided && after != Decision::undecided;
+  share.note(is_decided);
+  if (before == after || !is_decided) return;
   RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}", name(verdict.kind), verdict.message,
                       verdict.want, verdict.got, text_of(tried, changed)));
 }
 
-using Change = std::function<Outcome(const Tried&, Trials&)>;
+using generate::Decisions;
+using generate::decisions;
+
+using Change = std::function<Outcome(const Tried&, generate::Choices&)>;
 
 bool changes_nothing(Of of, const Change& change) {
-  return rc::check([&] {
-    Trials trials = drawn_trials();
-    const Tried tried = drawn(of, trials);
-    expect_same(tried, change(tried, trials));
+  Share share;
+  const bool holds = rc::check([&] {
+    const Decisions bytes = *decisions();
+    generate::Choices choices(bytes);
+    const Tried tried = drawn(of, choices);
+    expect_same(tried, change(tried, choices), share);
   });
+  EXPECT_TRUE(share.is_enough());
+  return holds;
+}
+
+// Of a right outcome, changed so that it must not be NO-GO.
+bool is_go(const Verdict& verdict, Share& share) {
+  share.note(decision(verdict.kind) == Decision::go);
+  return decision(verdict.kind) != Decision::no_go;
 }
 
 const Position& start_of(const Tried& tried) {
@@ -144,10 +168,12 @@ const Position& start_of(const Tried& tried) {
 
 // J-PROP-01.
 TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
-  EXPECT_TRUE(rc::check([] {
-    Trials trials = drawn_trials();
-    const generate::Generator& generator = trials.one_of(generate::generators());
-    const GeneratedOutcome of = right_outcome(generator, small_and_large(), trials);
+  Share share;
+  EXPECT_TRUE(rc::check([&] {
+    const Decisions bytes = *decisions();
+    generate::Choices choices(bytes);
+    const generate::Generator& generator = choices.pick(generate::generators());
+    const GeneratedOutcome of = right_outcome(generator, small_and_large(), choices);
     RC_PRE(!is_tiny(of.program, of.terms.tolerance));
     OwnOutcome own;
     try {
@@ -158,44 +184,50 @@ TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
     const Tolerances terms = exact_terms(of.program.profile);
     const Verdict verdict =
         judge_outcome(of.program.profile, of.program.text, terms, own.records, own.end).verdict;
-    if (decision(verdict.kind) != Decision::no_go) return;
+    if (is_go(verdict, share)) return;
     RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}\n{}", name(verdict.kind), verdict.message,
                         verdict.want, verdict.got, reference::profile_json(of.program.profile),
                         of.program.text));
   }));
+  EXPECT_TRUE(share.is_enough());
 }
 
 // J-PROP-01.
 TEST(RelationProperties, MotionsInPiecesAreJudgedAsWholeOnes) {
-  const auto in_pieces = [](const Tried& tried, Trials& trials) {
-    return split(tried.of.outcome, start_of(tried), tried.of.terms.tolerance * 2, trials);
+  const auto in_pieces = [](const Tried& tried, generate::Choices& choices) {
+    return split(tried.of.outcome, start_of(tried), tried.of.terms.tolerance * 2, choices);
   };
   EXPECT_TRUE(changes_nothing(Of::any, in_pieces));
 }
 
 // J-PROP-01: of pieces as small as the tolerance only one half holds.
 TEST(RelationProperties, WhatIsGoIsGoInAnyPieces) {
-  EXPECT_TRUE(rc::check([] {
-    Trials trials = drawn_trials();
-    const Tried tried = drawn(Of::right, trials);
-    if (decision(tried.kind) != Decision::go) return;
-    expect_same(tried, split(tried.of.outcome, start_of(tried), 0, trials));
+  Share share;
+  EXPECT_TRUE(rc::check([&] {
+    const Decisions bytes = *decisions();
+    generate::Choices choices(bytes);
+    const Tried tried = drawn(Of::right, choices);
+    RC_PRE(decision(tried.kind) == Decision::go);
+    expect_same(tried, split(tried.of.outcome, start_of(tried), 0, choices), share);
   }));
+  EXPECT_TRUE(share.is_enough());
 }
 
 // J-PROP-01.
 TEST(RelationProperties, JoinedMotionsAreJudgedAsTheirPieces) {
-  EXPECT_TRUE(changes_nothing(Of::any, [](const Tried& tried, Trials&) {
+  EXPECT_TRUE(changes_nothing(Of::any, [](const Tried& tried, generate::Choices&) {
     return joined(tried.of.outcome, start_of(tried));
   }));
 }
 
 // J-PROP-01.
 TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
-  EXPECT_TRUE(rc::check([] {
-    Trials trials = drawn_trials();
-    const generate::Generator& generator = trials.one_of(generate::generators());
-    const GeneratedOutcome of = right_outcome(generator, small_and_large(), trials);
+  Share share;
+  EXPECT_TRUE(rc::check([&] {
+    const Decisions bytes = *decisions();
+    generate::Choices choices(bytes);
+    const generate::Generator& generator = choices.pick(generate::generators());
+    const GeneratedOutcome of = right_outcome(generator, small_and_large(), choices);
     RC_PRE(!renames_position(of.program.text));
     OwnOutcome own;
     try {
@@ -215,11 +247,12 @@ TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
       RC_DISCARD("half way between two");
     }
     const Verdict verdict = judged(profile, of.program.text, changed, terms).verdict;
-    if (decision(verdict.kind) != Decision::no_go) return;
+    if (is_go(verdict, share)) return;
     RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}", name(verdict.kind), verdict.message,
                         verdict.want, verdict.got,
                         text_of({of, VerdictKind::pass_exact}, changed)));
   }));
+  EXPECT_TRUE(share.is_enough());
 }
 
 // J-PROP-01, R2. The last ring of the path that is shown has a radius of 286.76346 about
@@ -241,41 +274,48 @@ TEST(RelationProperties, ALevelWhoseArcsAreCorrectlyRoundedIsCleared) {
 
 // J-PROP-01.
 TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
-  EXPECT_TRUE(rc::check([] {
-    Trials trials = drawn_trials();
-    const Tried tried = drawn(Of::any, trials);
+  Share share;
+  EXPECT_TRUE(rc::check([&] {
+    const Decisions bytes = *decisions();
+    generate::Choices choices(bytes);
+    const Tried tried = drawn(Of::any, choices);
     RC_PRE(decision(tried.kind) == Decision::go);
     Tolerances wider = tried.of.terms;
-    wider.tolerance = wider.granted = wider.tolerance * trials.one_of(std::to_array({2, 3, 10}));
+    wider.tolerance = wider.granted = wider.tolerance * choices.pick({2, 3, 10});
     RC_PRE(!is_tiny(tried.of.program, wider.tolerance));
     const Verdict verdict = judge(tried, tried.of.outcome, wider);
-    if (decision(verdict.kind) != Decision::no_go) return;
+    if (is_go(verdict, share)) return;
     RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\nwithin {}\n{}", name(verdict.kind),
                         verdict.message, verdict.want, verdict.got, wider.tolerance.text(),
                         text_of(tried, tried.of.outcome)));
   }));
+  EXPECT_TRUE(share.is_enough());
 }
 
 // J-PROP-01.
 TEST(RelationProperties, MotionsThatLeadNowhereAndDwellsOfNoTimeChangeNothing) {
-  EXPECT_TRUE(changes_nothing(Of::any, [](const Tried& tried, Trials& trials) {
-    return with_nothing_added(tried.of.outcome, start_of(tried), trials);
+  EXPECT_TRUE(changes_nothing(Of::any, [](const Tried& tried, generate::Choices& choices) {
+    return with_nothing_added(tried.of.outcome, start_of(tried), choices);
   }));
 }
 
 // J-PROP-01.
 TEST(RelationProperties, LineNumbersThatAreNotDeclaredAreNotLookedAt) {
-  EXPECT_TRUE(rc::check([] {
-    Trials trials = drawn_trials();
-    Tried tried = drawn(Of::any, trials);
+  Share share;
+  EXPECT_TRUE(rc::check([&] {
+    const Decisions bytes = *decisions();
+    generate::Choices choices(bytes);
+    Tried tried = drawn(Of::any, choices);
     tried.of.terms.compare_blocks = false;
     tried.kind = judge(tried, tried.of.outcome, tried.of.terms).kind;
-    const Outcome changed = renumbered(tried.of.outcome, trials);
+    const Outcome changed = renumbered(tried.of.outcome, choices);
     const Verdict verdict = judge(tried, changed, tried.of.terms);
+    share.note(decision(verdict.kind) != Decision::undecided);
     if (verdict.kind == tried.kind) return;
     RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}", name(verdict.kind), verdict.message,
                         verdict.want, verdict.got, text_of(tried, changed)));
   }));
+  EXPECT_TRUE(share.is_enough());
 }
 
 }  // namespace

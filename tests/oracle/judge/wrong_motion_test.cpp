@@ -9,6 +9,7 @@
 #include <array>
 
 #include "tests/oracle/judge/generated_outcomes.hpp"
+#include "tests/trials.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -100,7 +101,8 @@ void expect_no_go(Wrong wrong, std::string_view name, long usual) {
   settings.kinds = {.valid = 1, .near_invalid = 0, .boundary = 1, .raw = 0, .tiny = 4};
   long tried = 0;
   for (long i = 0; i < trials.count; ++i) {
-    GeneratedOutcome of = right_outcome(trials.one_of(generate::generators()), settings, trials);
+    generate::Choices choices(trials.chance());
+    GeneratedOutcome of = right_outcome(choices.pick(generate::generators()), settings, choices);
     if (!is_told_by_records(of.program.text)) continue;
     // What is wrong may be the path of another alternative.
     of.program.profile.readings = of.program.profile.readings.shown();

@@ -198,7 +198,8 @@ TEST(WholeSweep, Generated) {
   while (comparison.traces() < trials.count) {
     for (const generate::Generator& generator : generate::generators()) {
       if (!is_wanted(generator.dialect)) continue;
-      const auto made = oracle::generated_outcome(generator, {}, trials);
+      generate::Choices choices(trials.chance());
+      const auto made = oracle::generated_outcome(generator, {}, choices);
       if (!is_answer(made.outcome.end) || !is_short(made.outcome.records, made.program.profile))
         continue;
       comparison.compare({generator.dialect, made.program.text, made.program.profile, made.terms},
