@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "oracle/judge/advice.hpp"
+#include "oracle/judge/unit_error.hpp"
 #include "oracle/motion/labels.hpp"
 #include "oracle/motion/places.hpp"
 #include "oracle/steps/step_text.hpp"
-#include "oracle/judge/unit_error.hpp"
 #include "reference/compared.hpp"
 
 namespace gonogo::oracle {
@@ -67,13 +67,13 @@ bool fits_later(const Motion& motion, std::size_t number, ReferenceSteps& steps,
   return false;
 }
 
-// The axes of a witness: those that it leaves out are where the motion ends.
-AxisSet axes_shown(const Position& at, const Motion& motion, const Motion& want) {
-  AxisSet axes = moved_axes(motion, 0) | moved_axes(want, 0);
-  for (Axis axis : kAllAxes) {
-    if (visible_sign(at[axis] - motion.to()[axis]) != 0) axes.add(axis);
+// X, Y and Z, and the rotary axes that are not at zero.
+std::string place_text(const Position& at) {
+  AxisSet axes{Axis::x, Axis::y, Axis::z};
+  for (Axis axis : {Axis::a, Axis::c}) {
+    if (visible_sign(at[axis]) != 0) axes.add(axis);
   }
-  return axes;
+  return point_text(at, axes);
 }
 
 // How far a motion is off. Where only rotary axes are off, that is in degrees.
@@ -117,7 +117,7 @@ Verdict short_of(const Motion& want, const Motion& piece) {
   verdict.want = record_text(want.record);
   verdict.got = record_text(piece.record);
   verdict.message = short_sentence(want.record.kind);
-  verdict.witness = point_text(piece.to(), axes_shown(piece.to(), piece, want));
+  verdict.witness = place_text(piece.to());
   try {
     tell_distance(verdict, largest_difference(piece.to(), want.to()), piece.to(), want.to(), 0);
   } catch (const exact::Undecided&) {
@@ -137,7 +137,7 @@ Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_
   verdict.clause = clause_of(step);
   verdict.block = block_of(step);
   verdict.want = step_text(step);
-  verdict.witness = point_text(from.at, {Axis::x, Axis::y, Axis::z});
+  verdict.witness = place_text(from.at);
   verdict.record = records;
   verdict.message = "The trace ends before this motion.";
   return verdict;
@@ -151,7 +151,7 @@ Verdict before_renaming(const Motion& motion, const ReferenceStep& step) {
   verdict.record = motion.number;
   verdict.want = step_text(step);
   verdict.got = record_text(motion.record);
-  verdict.witness = point_text(motion.to(), moved_axes(motion, 0));
+  verdict.witness = place_text(motion.to());
   return verdict;
 }
 
@@ -164,7 +164,7 @@ Verdict motion_too_many(const Motion& motion, const ReferenceStep& step) {
   verdict.record = motion.number;
   verdict.want = step_text(step);
   verdict.got = record_text(motion.record);
-  verdict.witness = point_text(motion.to(), moved_axes(motion, 0));
+  verdict.witness = place_text(motion.to());
   if (std::holds_alternative<reference::AlarmReport>(step)) {
     verdict.kind = VerdictKind::fail_geometry;
     verdict.message = "The subject moves before the block that alarms, and no motion is due.";
@@ -307,14 +307,11 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Tol
     verdict.rule = RelationRule::traverse;
   }
   const std::optional<Apart>& centre = refutation.answer.centre;
-  const auto show = [&](const Position& at) {
-    verdict.witness = point_text(at, axes_shown(at, motion, want));
-  };
-  show(centre ? centre->at : motion.to());
+  verdict.witness = place_text(centre ? centre->at : motion.to());
   try {
     const Apart apart = centre ? *centre : from.curve->apart(from.progress, motion);
     const Apart shown = from.curve->farthest(apart, from.progress, motion);
-    show(shown.at);
+    verdict.witness = place_text(shown.at);
     tell_distance(verdict, shown.distance, motion.to(), want.to(), terms.tolerance);
     if (ended_short(refutation, apart, steps, terms)) {
       verdict = short_of(want, *from.piece);

@@ -2,6 +2,7 @@
 #include "oracle/motion/curve_distance.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "oracle/motion/curve.hpp"
@@ -223,6 +224,33 @@ std::vector<Number> angles_within(const Motion& arc) {
   return angles;
 }
 
+// Where an arc in its plane is directly beside, above or below its centre: it reaches farthest out
+// there.
+std::vector<Position> outermost(const Motion& arc) {
+  const PlaneAxes axes = reference::axes_of(arc.record.plane);
+  const PlaneVector a = from_centre(arc.record, arc.from);
+  const Number square = a.p * a.p + a.q * a.q;
+  const auto& [p, q] = arc.record.centre;
+  const bool is_flat = arc.from[axes.d] == arc.to()[axes.d];
+  if (!is_flat || !p.is_rational() || !q.is_rational() || !square.is_rational()) return {};
+  const int sense = arc.record.rot < 0 ? -1 : 1;
+  const double start = std::atan2(estimate(a.q), estimate(a.p)) * 180 / std::numbers::pi;
+  const double sweep = std::min(approximate_turns(arc) * 360, 360.0);
+  std::vector<Position> points;
+  for (const int degrees : {0, 90, 180, 270}) {
+    double turned_by = std::fmod(sense * (degrees - start), 360.0);
+    if (turned_by < 0) turned_by += 360;
+    if (turned_by < kEstimate || turned_by > sweep - kEstimate) continue;
+    const int out = degrees < 180 ? 1 : -1;
+    const bool along_p = degrees % 180 == 0;
+    Position point = arc.from;
+    point[axes.p] = along_p ? Number::root(p, out, square) : p;
+    point[axes.q] = along_p ? q : Number::root(q, out, square);
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
 }  // namespace
 
 Apart Curve::farthest(const Apart& known, const CurveProgress& from, const Motion& subject) const {
@@ -234,8 +262,9 @@ Apart Curve::farthest(const Apart& known, const CurveProgress& from, const Motio
     if (estimate(distance) > estimate(most.distance))
       most = {std::move(point), std::move(distance)};
   };
-  for (const Number& degrees : angles_within(*arc)) {
-    Position point = turned(*arc, degrees, false);
+  std::vector<Position> points = outermost(*arc);
+  for (const Number& degrees : angles_within(*arc)) points.push_back(turned(*arc, degrees, false));
+  for (Position& point : points) {
     const double turns = from.arc + (round_ ? round_->part_of_turn(arc->from, point) : 0);
     Number off = distance(from, point, turns);
     Number off_start = largest_difference(point, arc->from);

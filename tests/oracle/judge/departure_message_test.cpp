@@ -46,7 +46,7 @@ TEST(DepartureMessage, ATraverseATenthShortIsNamedAndNotTheCutBehindIt) {
   const Verdict verdict = judge_trace(kTurning, trace.text());
   expect(verdict, {VerdictKind::fail_geometry, 0, "GSK-COM-05", "0.1", kTraverseShort});
   EXPECT_EQ(verdict.block, 1U);
-  EXPECT_EQ(verdict.witness, R"({"x":"65","z":"4.9"})");
+  EXPECT_EQ(verdict.witness, R"({"x":"65","y":"0","z":"4.9"})");
 }
 
 TEST(DepartureMessage, OfATraverseInPiecesTheLastIsNamed) {
@@ -79,7 +79,7 @@ TEST(DepartureMessage, AHundredthBesideALineIsToldAndNotTheWayStillToGo) {
   const Verdict verdict = judge_trace(kLine, trace.text(), of("rs274"));
   expect(verdict,
          {VerdictKind::fail_geometry, 0, "NGC-G0-01", "0.01", "The cut does not end on the line."});
-  EXPECT_EQ(verdict.witness, R"({"x":"25","y":"0.01"})");
+  EXPECT_EQ(verdict.witness, R"({"x":"25","y":"0.01","z":"0"})");
 }
 
 // From (0, 0) to (30, 10). At (15, 6), with t along the line, |15 - 30 t| = |6 - 10 t| is least at
@@ -172,7 +172,8 @@ TEST(DepartureMessage, AnArcTheWrongWayIsMarkedWhereItIsFarthestOff) {
   const Verdict verdict =
       judge_trace("G0 X10\nG3 X0 Y10 I-10 F100\nM2\n", start + trace.text(), judging);
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
-  EXPECT_EQ(verdict.witness, R"({"x":{"root":["0","-5","2"]},"y":{"root":["0","-5","2"]}})");
+  EXPECT_EQ(verdict.witness,
+            R"({"x":{"root":["0","-5","2"]},"y":{"root":["0","-5","2"]},"z":"0"})");
   EXPECT_EQ(verdict.deviation_mm, "17.071067812");
 }
 
@@ -185,8 +186,23 @@ TEST(DepartureMessage, ACircleTheWrongWayIsMarkedAcrossIt) {
   const Verdict verdict =
       judge_trace("G0 X10\nG3 I-10 F100\nM2\n", start + trace.text(), of("rs274"));
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
-  EXPECT_EQ(verdict.witness, R"({"x":"0","y":"-10"})");
+  EXPECT_EQ(verdict.witness, R"({"x":"0","y":"-10","z":"0"})");
   EXPECT_EQ(verdict.deviation_mm, "20");
+}
+
+// From (8, 6) to (6, 8) about the origin, gone the other way round by (10, 0), (0, -10), (-10, 0)
+// and (0, 10). From (-10, 0) all of the right arc is at least 16 away along X, and none of the
+// points that lie 45 degrees apart from the start is as far off.
+TEST(DepartureMessage, AnArcTheWrongWayIsMarkedBesideItsCentre) {
+  TraceText trace(2, 100);
+  trace.arc("G17", {{'x', 0}, {'y', 0}}, -1, {{'x', 6}, {'y', 8}});
+  const std::string start = R"({"k":"rapid","b":1,"to":{"x":"8","y":"6"}})"
+                            "\n";
+  const Verdict verdict =
+      judge_trace("G0 X8 Y6\nG3 X6 Y8 I-8 J-6 F100\nM2\n", start + trace.text(), of("rs274"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+  EXPECT_EQ(verdict.witness, R"({"x":"-10","y":"0","z":"0"})");
+  EXPECT_EQ(verdict.deviation_mm, "16");
 }
 
 TEST(DepartureMessage, ARotaryAxisDepartsInDegrees) {
