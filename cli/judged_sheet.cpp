@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/encoding.hpp"
 #include "campaign/results.hpp"
 #include "cli/program_file.hpp"
 #include "oracle/records/output_file.hpp"
@@ -19,11 +20,13 @@ void write_judged_sheet(const std::string& path, const JudgedProgram& judged) {
   result.dialect = judged.profile.dialect;
   result.verdict = judged.verdict;
   result.profile = reference::profile_json(judged.profile);
-  result.program = judged.program;
+  auto line = nlohmann::ordered_json::parse(oracle::case_line(result, false));
+  // The line of a pass has neither.
+  line["program"] = oracle::program_json(judged.program);
+  line["trace"] = nlohmann::ordered_json::array();
   for (const reference::Record& record : judged.records) {
-    result.trace.push_back(oracle::record_text(record));
+    line["trace"].push_back(nlohmann::ordered_json::parse(oracle::record_text(record)));
   }
-  const auto line = nlohmann::ordered_json::parse(oracle::case_line(result, false));
   const nlohmann::ordered_json detail = oracle::report::case_detail(line, "", true);
   const std::string drawing = detail.value("svg", std::string());
   if (drawing.empty()) {
