@@ -10,6 +10,7 @@
 #include "cli/colour.hpp"
 #include "oracle/records/cycle_table.hpp"
 #include "oracle/records/finding_text.hpp"
+#include "oracle/records/followed_readings.hpp"
 #include "publish/report/clauses.hpp"
 
 namespace gonogo::cli {
@@ -215,9 +216,8 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
     }
   }
   text += not_claimed_text(summary.answer.scope);
-  for (const std::string& assignment : summary.footer.assignments) {
-    text += fmt::format("  follows {}\n", assignment);
-  }
+  const std::string followed = oracle::followed_readings(summary.footer.assignments);
+  if (!followed.empty()) text += fmt::format("  follows {}\n", followed);
   for (const auto& [dialect, census] : summary.footer.coordinates) {
     text += fmt::format("  coordinates of {}: {}\n", dialect, census.text());
   }

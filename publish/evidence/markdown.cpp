@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "publish/evidence/text.hpp"
 #include "oracle/records/finding_text.hpp"
+#include "publish/evidence/text.hpp"
 #include "publish/report/clauses.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -233,10 +233,10 @@ std::string MarkdownSummary::text(const RunState& state) const {
   auto part = [](std::string_view title, const std::string& list) {
     return list.empty() ? list : fmt::format("\n## {}\n\n{}", title, list);
   };
+  const std::string followed = markdown_text(text_of(state.summary, "follows"));
   return head(state) + "\n" + cycles_table(scope["cycles"]) +
          totals_table(state.summary["totals"]) +
-         list_of_texts(state.footer, "assignments",
-                       "Readings that explain everything that passed:") +
+         (followed.empty() ? "" : "\nEverything that passed follows " + followed + ".\n") +
          list_of_texts(state.footer, "stale", "Stale entries of the subject's own files:") +
          part(kCoordinatesTitle, coordinates_list(state)) +
          part("Declared, but skipped", declared_but_skipped_list(scope)) + findings(state) +

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <map>
 
+#include "oracle/records/fresh_counts.hpp"
 #include "publish/evidence/markdown.hpp"
 #include "publish/evidence/run_state.hpp"
 #include "publish/evidence/text.hpp"
 #include "publish/evidence/verdict_meaning.hpp"
-#include "oracle/records/fresh_counts.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -206,11 +206,9 @@ std::string statement_text(const Json& header, const RunState& state, const Json
   put(kAdvicesTitle, advice_list(scope));
   put(kNotClaimedTitle, not_claimed_list(scope));
   text += "\n## Readings\n\n";
-  const Json assignments = state.footer.value("assignments", Json::array());
-  if (assignments.empty()) text += "No case that passed depended on an open reading.\n";
-  for (const Json& one : assignments) {
-    if (one.is_string()) text += "- follows " + markdown_code(one.get<std::string>()) + "\n";
-  }
+  const std::string followed = markdown_text(text_of(state.summary, "follows"));
+  text += followed.empty() ? "No case that passed depended on an open reading.\n"
+                           : "Everything that passed follows " + followed + ".\n";
   put(kCoordinatesTitle, coordinates_list(state));
   text += "\n## Waivers\n\n";
   if (root["waivers"].empty()) text += "None.\n";

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "oracle/records/cycle_table.hpp"
+#include "oracle/records/followed_readings.hpp"
 #include "oracle/records/rounding_census.hpp"
 #include "publish/report/command.hpp"
 #include "publish/report/json_value.hpp"
@@ -303,6 +304,15 @@ Json Summary::coordinates(const Json* footer) {
   return texts;
 }
 
+std::string Summary::follows(const Json* footer) {
+  const Json told = footer != nullptr ? footer->value("assignments", Json()) : Json();
+  std::vector<std::string> assignments;
+  for (const Json& one : told) {
+    if (one.is_string()) assignments.push_back(one.get<std::string>());
+  }
+  return followed_readings(assignments);
+}
+
 Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const {
   // For the dialects that were judged, and what else was hit.
   std::set<std::string_view> shown;
@@ -329,6 +339,7 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
   return {{"header", header},
           {"footer", footer != nullptr ? *footer : Json(nullptr)},
           {"coordinates", coordinates(footer)},
+          {"follows", follows(footer)},
           {"headline", headline(header, footer, bad_lines)},
           {"totals", totals_},
           {"decisions", decisions},

@@ -48,6 +48,7 @@ class Summary {
 
  private:
   static Json coordinates(const Json* footer);
+  static std::string follows(const Json* footer);
   Json headline(const Json& header, const Json* footer, std::uint64_t bad_lines) const;
   bool is_whole(const RunConditions& conditions, const Json* footer) const;
   Json matrix() const;

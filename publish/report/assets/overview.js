@@ -149,10 +149,7 @@ function showRun() {
   fact('Command', Array.isArray(header.argv) ? header.argv.map((word) => quoted(String(word))).join(' ') : '', true);
   if (summary.footer?.left_out > 0) fact('Left out', `${counted(summary.footer.left_out, 'case', 'cases')} that contradict the profile or the readings asked for`);
   fact('Judged', Object.entries(summary.judged).map(([dialect, n]) => `${dialect} ${count(n)}`).join(', '));
-  const assignments = summary.footer?.assignments;
-  if (Array.isArray(assignments) && assignments.length > 0) {
-    fact('Readings that explain all passes', assignments.map((one) => (typeof one === 'string' ? one : JSON.stringify(one)) || '(none matters)').join('; '), true);
-  }
+  fact('What passed follows', summary.follows);
   for (const [dialect, text] of Object.entries(summary.coordinates)) fact(`Coordinates of ${dialect}`, text);
   fact('Results SHA-256', summary.footer?.sha256, true);
 }
