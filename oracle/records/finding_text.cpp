@@ -72,10 +72,19 @@ std::string further_words(const Json& step) {
   return text;
 }
 
+// "syntax or not-an-integer": what an alarm is called, or may be.
+std::string alarm_classes(const Json& alarm) {
+  if (!alarm.contains("any_of")) return plain(alarm["class"]);
+  std::string text;
+  for (const Json& one : alarm["any_of"]) text += (text.empty() ? "" : " or ") + plain(one);
+  return text;
+}
+
 // The line of a record, where want and got name two.
 std::string line_of(const Json& step, const Json& other) {
   const bool differs = step.is_object() && other.is_object() && step.contains("b") &&
-                       other.contains("b") && step["b"] != other["b"] && !step.contains("class");
+                       other.contains("b") && step["b"] != other["b"] && !step.contains("class") &&
+                       !step.contains("any_of");
   return differs ? fmt::format(" in line {}", plain(step["b"])) : std::string();
 }
 
@@ -105,8 +114,8 @@ void collect(const Json& profile, const std::string& prefix, std::vector<std::st
 std::string short_step(std::string_view json) {
   const Json step = Json::parse(json, nullptr, false);
   if (!step.is_object()) return std::string(json);
-  if (step.contains("class")) {
-    std::string text = "alarm " + plain(step["class"]);
+  if (step.contains("class") || step.contains("any_of")) {
+    std::string text = "alarm " + alarm_classes(step);
     if (step.contains("word")) text += " of " + plain(step["word"]);
     return step.contains("b") ? text + " in line " + plain(step["b"]) : text;
   }

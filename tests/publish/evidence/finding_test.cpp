@@ -124,6 +124,8 @@ TEST(FindingText, steps_are_told_as_people_write_them) {
   EXPECT_EQ(want_and_got(kFeed, ""), "want feed Z-7 F1 / got nothing");
   EXPECT_EQ(short_step(R"({"k":"alarm","class":"taper-limit","b":2,"word":"R"})"),
             "alarm taper-limit of R in line 2");
+  EXPECT_EQ(short_step(R"({"k":"alarm","b":3,"any_of":["syntax","not-an-integer"]})"),
+            "alarm syntax or not-an-integer in line 3");
   EXPECT_EQ(short_step("end"), "end");
   EXPECT_EQ(want_and_got("", ""), "");
 }
