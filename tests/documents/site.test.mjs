@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The site of the documents: every document has a page, every link of every page leads somewhere
-// within the site, nothing is loaded from elsewhere, and a broken link of a document is reported.
+// within the site, nothing is loaded from elsewhere, a broken link of a document is reported, each cycle has
+// a page, and the search finds what people look for.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, normalize, relative } from 'node:path';
 import { after, test } from 'node:test';
+import { createContext, runInContext } from 'node:vm';
 
 const root = new URL('../../', import.meta.url).pathname;
-if (!existsSync(join(root, 'docs/site/node_modules/marked'))) {
-  console.log('SKIPPED: the renderer of Markdown is missing: run `npm ci` in docs/site');
+if (!['marked', 'minisearch'].every((name) => existsSync(join(root, 'docs/site/node_modules', name)))) {
+  console.log('SKIPPED: the libraries of the site are missing: run `npm ci` in docs/site');
   process.exit(0);
 }
 const { buildSite, placeOf, slug } = await import('../../docs/site/build.mjs');
@@ -66,17 +68,72 @@ test('every link leads somewhere, and nothing is loaded from elsewhere', () => {
   assert.ok(links > 2000, `${links} links`);
   for (const name of pagesOf(site)) {
     const html = readFileSync(join(site, name), 'utf8');
-    assert.doesNotMatch(html, /<script|<link[^>]*href="https?:|url\(/, name);
+    assert.doesNotMatch(html, /<script(?! src="(\.\.\/)*search\.js" defer><\/script>)|<link[^>]*href="https?:|url\(/, name);
   }
 });
 
 test('tables, code and pictures of a document are on its page', () => {
   const page = readFileSync(join(site, 'dialects/rs274.html'), 'utf8');
   const text = readFileSync(join(root, 'docs/dialects/rs274.md'), 'utf8');
-  assert.equal(attributes(page, 'src').length, text.match(/^!\[/gm).length);
+  assert.equal(page.match(/<img /g).length, text.match(/^!\[/gm).length);
   assert.equal(page.match(/<pre>/g).length, text.match(/^```/gm).length / 2);
   assert.ok(page.match(/<table>/g).length > 10);
   assert.doesNotMatch(page, /<!--/);
+});
+
+const mainOf = (name) => /<main[^]*<\/main>/.exec(readFileSync(join(site, name), 'utf8'))[0];
+
+test('the start page opens with what a reader wants to do, then the cycles, then the documents', () => {
+  const main = mainOf('index.html');
+  const links = attributes(main, 'href');
+  assert.equal(links[0], 'readme.html#judging-your-own-controller');
+  for (const wanted of ['guide-certifier.html', 'protocol.html#a-first-subject', '#the-cycles', 'guide-ci.html#4-hunt', 'guide-corpus.html#2-write-a-case']) {
+    assert.ok(links.indexOf(wanted) >= 0 && links.indexOf(wanted) < links.indexOf('dialects/rs274/g81-g82.html'), wanted);
+  }
+  assert.ok(main.indexOf('id="all-documents"') > main.indexOf('dialects/sinumerik802s/lcyc82.html'));
+});
+
+const kCyclePages = {
+  gsk988ta: ['g90', 'g92', 'g94', 'g110-g111', 'g112-g113', 'g114-g115-g116-g117'], hnc21t: ['g74', 'g75', 'g80', 'g81', 'g82'],
+  rs274: ['g33-g33.1', 'g76', 'g81-g82', 'g83-g73', 'g84-g74', 'g85-g86-g89'], sinumerik802s: ['lcyc75', 'lcyc82'], sinumerik840d: [],
+};
+test('each cycle has a page with its clauses and its drawing, linked from its dialect and the start page', () => {
+  for (const [dialect, names] of Object.entries(kCyclePages)) {
+    const folder = join(site, 'dialects', dialect);
+    const pages = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.html')).sort() : [];
+    assert.deepEqual(pages, names.map((name) => `${name}.html`).sort());
+    for (const page of pages) {
+      const main = mainOf(`dialects/${dialect}/${page}`);
+      assert.equal(main.match(/<h1 /g).length, 1, page);
+      assert.ok(attributes(main, 'src').some((source) => source.endsWith('.svg')), `${page} has no drawing`);
+      assert.match(main, /<a id="[a-z0-9]+(-[a-z0-9]+)+-\d+"><\/a>[A-Z0-9]+-/, `${page} has no clause`);
+      assert.ok(attributes(main, 'href').includes(`../${dialect}.html`), page);
+      assert.ok(attributes(mainOf(`dialects/${dialect}.html`), 'href').includes(`${dialect}/${page}`), page);
+      assert.ok(attributes(mainOf('index.html'), 'href').includes(`dialects/${dialect}/${page}`), page);
+    }
+  }
+  // What linked to a dialect's page still finds its place there.
+  for (const id of ['ngc-g82-01', 'section-10', 'ngc.g83.return']) assert.match(mainOf('dialects/rs274.html'), new RegExp(`id="${id}"`));
+});
+
+test('the search finds clauses, readings, cycles and words, at places that are there', () => {
+  const context = createContext({});
+  runInContext(readFileSync(join(site, 'search-index.js'), 'utf8'), context);
+  const find = (words) => context.gonogoFind(words).map(({ address }) => address);
+  assert.equal(find('NGC-G82-01')[0], 'dialects/rs274/g81-g82.html#ngc-g82-01');
+  assert.equal(find('ngc.g83.return')[0], 'dialects/rs274/g83-g73.html#ngcg83return');
+  assert.equal(find('G76')[0], 'dialects/rs274/g76.html');
+  assert.equal(find('lcyc75')[0], 'dialects/sinumerik802s/lcyc75.html');
+  assert.equal(find('exit codes')[0], 'exit-codes.html');
+  assert.equal(find('the sandbox')[0], 'protocol.html#the-sandbox');
+  assert.equal(find('certificat')[0].split('#').length, 2);
+  assert.ok(find('tapping chuck').includes('dialects/rs274/g84-g74.html'));
+  assert.ok(find('tapping chuk').length > 0, 'one letter is missing');
+  assert.equal(find('xyzzyq').length, 0);
+  const pages = new Map(pagesOf(site).map((name) => [name, new Set(attributes(readFileSync(join(site, name), 'utf8'), 'id'))]));
+  for (const [place, , sections] of context.gonogoPages) {
+    for (const [id] of sections) assert.ok(id === '' || pages.get(place).has(id), `${place}#${id}`);
+  }
 });
 
 test('a second build gives the same bytes', async () => {
@@ -84,6 +141,7 @@ test('a second build gives the same bytes', async () => {
   await buildSite(root, again);
   assert.deepEqual(pagesOf(again), pagesOf(site));
   for (const name of pagesOf(site)) assert.equal(readFileSync(join(again, name), 'utf8'), readFileSync(join(site, name), 'utf8'), name);
+  assert.equal(readFileSync(join(again, 'search-index.js'), 'utf8'), readFileSync(join(site, 'search-index.js'), 'utf8'));
 });
 
 // A checkout of three documents.
