@@ -6,9 +6,7 @@
 
 const byId = (id) => document.getElementById(id);
 const kPatience = 15000;  // ms that a program may run
-const kMostRows = 2000;   // motions listed
 const kMost = 200_000;    // records that a program may give
-const kExample = 'G00 X130 Z5 M3 S500;\nG94 X0 Z0 F200;\nX120 Z-110 F300;\nG00 X120 Z0;\nG94 X108 Z-30 R-10;\nX60 R-50;\nM30;\n';
 
 // ---- the worker ----
 
@@ -84,13 +82,44 @@ function asAddress() {
 function readAddress() {
   const parts = new URLSearchParams(location.hash.slice(1));
   if (dialects.has(parts.get('dialect'))) byId('dialect').value = parts.get('dialect');
-  byId('program').value = parts.get('program') ?? kExample;
-  byId('profile').value = parts.get('profile') ?? '';
+  const [first] = examples();
+  byId('program').value = parts.get('program') ?? first.program;
+  byId('profile').value = parts.get('profile') ?? (parts.has('program') ? '' : first.profile ?? '');
   chosen.clear();
   for (const choice of parts.getAll('reading')) {
     const at = choice.indexOf('=');
     chosen.set(choice.slice(0, at), choice.slice(at + 1));
   }
+  showExamples();
+}
+
+// ---- examples ----
+
+const examples = () => kExamples[byId('dialect').value];
+const isShown = ({ program, profile }) => byId('program').value === program && byId('profile').value === (profile ?? '');
+
+// Those of the dialect, with the one that is shown chosen.
+function showExamples() {
+  const at = examples().findIndex(isShown);
+  byId('example').replaceChildren(...(at < 0 ? [el('option', { value: '' }, 'none of these:')] : []),
+    ...examples().map(({ name }, i) => el('option', { value: i, selected: i === at }, name)));
+}
+
+function takeExample({ program, profile }) {
+  byId('program').value = program;
+  byId('program').scrollTop = 0;
+  byId('profile').value = profile ?? '';
+  chosen.clear();
+  showExamples();
+  run();
+}
+
+// A program of the reader's stays; an example makes way for one of the other dialect.
+function changeDialect() {
+  chosen.clear();
+  if (Object.values(kExamples).flat().some(isShown)) return takeExample(examples()[0]);
+  showExamples();
+  return run();
 }
 
 // ---- what is shown ----
@@ -120,6 +149,8 @@ async function run() {
     if (mine !== turn) return;
     byId('state').textContent = error.message;
     for (const id of ['said', 'others', 'path', 'wire']) byId(id).hidden = true;
+    stepped = null;
+    markLine(0);
   }
 }
 
@@ -200,76 +231,6 @@ async function showOthers(base, mine) {
       }))));
 }
 
-// ---- the path, motion by motion ----
-
-let stepped = null;
-
-function showPaths(base, other) {
-  byId('path').hidden = !base.steps || base.steps.length === 0;
-  if (byId('path').hidden) return;
-  const lists = { r: base.steps, s: other?.found.steps ?? [] };
-  const view = new View3d({ lathe: base.lathe, moves: { r: base.moves, s: other?.found.moves }, limits: base.limits });
-  const position = el('output', { id: 'position', 'aria-live': 'polite' });
-  const slider = el('input', { type: 'range', id: 'slider', min: 0, max: lists.r.length - 1, value: 0, 'aria-label': 'Record', on: { input: (event) => goTo('r', Number(event.target.value)) } });
-  const button = (id, label, title, act) => el('button', { type: 'button', id, title, on: { click: act } }, label);
-  const bar = el('div', { class: 'stepper', role: 'group', 'aria-label': 'Step through the motions' },
-    button('back', '\u25c0 Back', 'One record back (left arrow)', () => step(-1)), button('forward', 'Forward \u25b6', 'One record on (right arrow)', () => step(1)), slider, position);
-  const looks = el('div', { class: 'stepper', role: 'group', 'aria-label': 'The view in space' },
-    ...[['Front', 'front'], ['Top', 'top'], ['Side', 'side'], ['Isometric', 'isometric']].map(([label, name]) => button(`view-${name}`, label, label, () => view.reset(name))),
-    button('larger', '+', 'Magnify', () => view.magnify(1.6)), button('smaller', '\u2212', 'Make smaller', () => view.magnify(0.625)),
-    el('span', { class: 'note' }, 'Drag turns, with Shift it moves; the wheel magnifies.'));
-  const box = el('div', { class: 'sheet space', id: 'space' });
-  if (!view.empty) box.append(view.build());
-  byId('view').replaceChildren(...(view.empty ? [] : [box, looks]), bar, el('div', { id: 'clause' }));
-  const tables = [motionTable('r', other ? `${other.name} as chosen` : 'Motions', lists.r, other ? lists.s : null)];
-  if (other) tables.push(motionTable('s', `${other.name} = ${other.other}`, lists.s, lists.r));
-  byId('steps').classList.toggle('one', !other);
-  byId('steps').replaceChildren(...tables);
-  stepped = { view, lists, slider, position, owner: 'r', at: 0 };
-  goTo('r', 0);
-}
-
-function motionTable(owner, title, steps, against) {
-  const rows = steps.slice(0, kMostRows).map((one, i) => el('tr', {
-    'data-owner': owner, 'data-at': i, class: against && stepKey(one) !== stepKey(against[i]) ? 'differs' : null,
-    on: { click: () => goTo(owner, i) },
-  }, el('td', {}, one.b > 0 ? String(one.b) : ''), el('td', {}, one.text), el('td', { class: 'mono' }, one.clause)));
-  return el('div', { class: `motions ${owner}`, tabindex: 0 }, el('h3', {}, title), el('table', {}, el('tbody', {}, ...rows)),
-    steps.length > kMostRows && el('p', { class: 'note' }, `and ${steps.length - kMostRows} more`));
-}
-
-function goTo(owner, index) {
-  const s = stepped;
-  s.owner = owner;
-  s.at = Math.min(Math.max(index, 0), s.lists[owner].length - 1);
-  const now = s.lists[owner][s.at];
-  s.slider.max = s.lists[owner].length - 1;
-  s.slider.value = s.at;
-  s.position.textContent = `record ${s.at + 1} of ${s.lists[owner].length}${now.b > 0 ? `, line ${now.b}` : ''}`;
-  if (!s.view.empty) s.view.show(owner, s.at);
-  byId('clause').replaceChildren(el('p', {}, now.text), ...[clauseNote(now.clause)].filter(Boolean));
-  for (const row of byId('steps').querySelectorAll('tr.now')) row.classList.remove('now');
-  byId('steps').querySelector(`tr[data-owner="${owner}"][data-at="${s.at}"]`)?.classList.add('now');
-  for (const row of byId('steps').querySelectorAll(`tr[data-at="${s.at}"]`)) showRow(row);
-}
-
-// Within its list; the page stays where it is.
-function showRow(row) {
-  const list = row.closest('.motions');
-  const top = row.offsetTop - list.querySelector('h3').offsetHeight;
-  if (top < list.scrollTop || row.offsetTop + row.offsetHeight > list.scrollTop + list.clientHeight) list.scrollTop = top - 60;
-}
-
-const step = (by) => stepped && goTo(stepped.owner, stepped.at + by);
-
-document.addEventListener('keydown', (event) => {
-  if (event.altKey || event.ctrlKey || event.metaKey || event.target.closest('input, select, textarea, pre')) return;
-  if (event.key === 'ArrowLeft') step(-1);
-  else if (event.key === 'ArrowRight') step(1);
-  else return;
-  event.preventDefault();
-});
-
 // ---- the beginning ----
 
 (async () => {
@@ -280,12 +241,18 @@ document.addEventListener('keydown', (event) => {
     byId('dialect').append(...[...dialects.keys()].map((name) => el('option', { value: name }, name)));
     readAddress();
     byId('run').addEventListener('click', run);
-    byId('dialect').addEventListener('change', () => { chosen.clear(); run(); });
+    byId('dialect').addEventListener('change', changeDialect);
+    byId('example').addEventListener('change', () => takeExample(examples()[byId('example').value || 0]));
+    onCursor(goToLine);
     byId('link').addEventListener('click', () => { byId('link').href = asAddress(); });
     window.addEventListener('hashchange', () => { readAddress(); run(); });
     let pause = 0;
     for (const id of ['program', 'profile']) {
-      byId(id).addEventListener('input', () => { clearTimeout(pause); pause = setTimeout(run, 400); });
+      byId(id).addEventListener('input', () => {
+        showExamples();
+        clearTimeout(pause);
+        pause = setTimeout(run, 400);
+      });
     }
     await run();
   } catch (error) {

@@ -73,6 +73,104 @@ test('each motion is stepped to with its clause, in space', () => withPage(null,
   assert.notEqual(await page.locator('#space path.gs-r').first().getAttribute('d'), before);
 }));
 
+// Which line of the program the mark lies on; 0: none.
+const markedLine = (page) => page.evaluate(() => {
+  const [box, mark] = ['#program', '#line-mark'].map((id) => document.querySelector(id));
+  const style = getComputedStyle(box);
+  const top = mark.getBoundingClientRect().top - box.getBoundingClientRect().top - parseFloat(style.paddingTop) - box.clientTop;
+  return mark.hidden ? 0 : 1 + Math.round((top + box.scrollTop) / parseFloat(style.lineHeight) * 10) / 10;
+});
+// At one moment: other readings, which come later, move the page.
+const isWithin = (page, inner, outer) => page.evaluate((names) => {
+  const [small, large] = names.map((name) => document.querySelector(name).getBoundingClientRect());
+  return small.top >= large.top && small.bottom <= large.bottom + 1;
+}, [inner, outer]);
+const toLine = (page, line) => page.evaluate((to) => {
+  const box = document.querySelector('#program');
+  box.focus();
+  const at = box.value.split('\n').slice(0, to - 1).join('\n').length + (to > 1 ? 1 : 0);
+  box.setSelectionRange(at, at);
+}, line);
+
+test('the line of a motion is marked, and the cursor in a line steps to its first motion', () => withPage({ dialect: 'gsk988ta', program: 'G00 X130 Z5\nG94 X60 Z-20 F200\n\nZ-40 R-15\n' }, async (page) => {
+  assert.equal(await markedLine(page), 1);
+  await page.locator('#steps tr').nth(3).click();
+  assert.equal(await markedLine(page), 2);
+  await page.click('#forward');
+  await page.click('#forward');
+  assert.match(await text(page, '#position'), /^record 6 of 10, line 4/);
+  assert.equal(await markedLine(page), 4);
+  // By mouse into the second line, then by keys: the third has no motion, the fourth has.
+  await toLine(page, 2);
+  const lit = await page.locator('#space path.gs-now').getAttribute('d');
+  await page.keyboard.press('End');
+  assert.match(await text(page, '#position'), /^record 2 of 10, line 2/);
+  assert.notEqual(await page.locator('#space path.gs-now').getAttribute('d'), lit);
+  assert.equal(await page.locator('#steps tr.now').getAttribute('data-at'), '1');
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await markedLine(page), 2);
+  await page.keyboard.press('ArrowDown');
+  assert.match(await text(page, '#position'), /^record 6 of 10, line 4/);
+  assert.equal(await markedLine(page), 4);
+  const place = await page.locator('#program').boundingBox();
+  await page.mouse.click(place.x + 60, place.y + 20);
+  assert.match(await text(page, '#position'), /^record 1 of 10, line 1/);
+  // Whoever writes stays in the line.
+  await toLine(page, 2);
+  await page.keyboard.press('End');
+  await page.keyboard.type('0');
+  await page.waitForFunction(() => document.querySelector('#records').textContent.includes('"2000"'));
+  await page.waitForFunction(() => /line 2/.test(document.querySelector('#position').textContent));
+  assert.equal(await markedLine(page), 2);
+}));
+
+test('a line that is not seen is scrolled to', () => withPage({ dialect: 'rs274', program: `${'(nothing)\n'.repeat(60)}G0 X1\nM2\n` }, async (page) => {
+  await page.click('#forward');
+  await page.click('#back');
+  assert.equal(await markedLine(page), 61);
+  assert.ok(await isWithin(page, '#line-mark', '#program'));
+  await page.locator('#program').evaluate((node) => { node.scrollTop = 0; });
+  await page.waitForFunction(() => document.querySelector('#line-mark').getBoundingClientRect().top > document.querySelector('#program').getBoundingClientRect().bottom);
+}));
+
+test('each dialect has examples, and none of them alarms', () => withPage(null, async (page) => {
+  const dialects = await page.locator('#dialect option').allInnerTexts();
+  assert.equal(dialects.length, 5);
+  for (const dialect of dialects) {
+    await page.selectOption('#dialect', dialect);
+    const names = await page.locator('#example option').allInnerTexts();
+    assert.ok(names.length >= 2, `${dialect}: ${names}`);
+    for (const label of names) {
+      await page.selectOption('#example', { label });
+      await settled(page);
+      assert.match(await text(page, '#state'), /^The program ends: \d+ records$/, `${dialect}, ${label}`);
+      assert.ok(await page.locator('#said').isHidden(), label);
+      assert.equal(await page.locator('#example option:checked').innerText(), label);
+    }
+  }
+  // What the reader wrote stays under another dialect.
+  await page.fill('#program', 'G0 X1\n');
+  assert.equal(await page.locator('#example option:checked').innerText(), 'none of these:');
+  await page.selectOption('#dialect', 'rs274');
+  assert.equal(await page.inputValue('#program'), 'G0 X1\n');
+  await page.selectOption('#example', { index: 1 });
+  assert.match(await page.inputValue('#program'), /G83/);
+}));
+
+test('a deep hole of thousands of pecks is drawn as one line, and listed in parts', () => withPage({ dialect: 'rs274', program: 'F100 G0 Z1\nG83 X0 Y0 Z-100 R1 Q0.1\nM2\n' }, async (page) => {
+  assert.match(await text(page, '#state'), /^The program ends: 3\d\d\d records/);
+  for (const kind of ['feed', 'rapid']) {
+    assert.ok((await page.locator(`#space path.gs-r.gs-${kind}`).getAttribute('d')).match(/M/g).length <= 2, kind);
+  }
+  assert.equal(await page.locator('#steps .part').count(), 20);
+  // Each motion is still stepped to, and its row is seen.
+  for (const at of [1500, 3, 1998]) {
+    await page.locator('#slider').fill(String(at));
+    assert.match(await page.locator('#space path.gs-now').getAttribute('d'), /^M.*L/);
+    assert.ok(await isWithin(page, '#steps tr.now', '#steps .motions'), `row ${at}`);
+  }
+}));
+
 test('other readings stand beside what is chosen', () => withPage({ dialect: 'gsk988ta', program: kPocket }, async (page) => {
   const row = page.locator('#other-list tr', { hasText: 'gsk.pocket.end' }).first();
   await row.waitFor();

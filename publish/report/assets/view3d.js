@@ -23,6 +23,35 @@ function pathOf(moves) {
   });
 }
 
+// Lines of two points along one axis that meet or lie on one another, as one line. The pecks of a deep hole
+// are thousands of those, and dashing each took a browser half a second a picture.
+function withoutOverlap(lines) {
+  const kept = [];
+  const spans = new Map();
+  const whole = (point) => point.map((value) => Math.round(value / kUnit3d));
+  for (const line of lines) {
+    const [from, to] = [whole(line[0]), whole(line.at(-1))];
+    const moved = [0, 1, 2].filter((i) => from[i] !== to[i]);
+    if (line.length !== 2 || moved.length !== 1) {
+      kept.push(line);
+      continue;
+    }
+    const axis = moved[0];
+    const key = from.map((value, i) => (i === axis ? '' : value)).join();
+    if (!spans.has(key)) spans.set(key, { axis, lines: [] });
+    spans.get(key).lines.push(from[axis] < to[axis] ? line : [line[1], line[0]]);
+  }
+  for (const { axis, lines: along } of spans.values()) {
+    along.sort((a, b) => a[0][axis] - b[0][axis]);
+    let last = null;
+    for (const [low, high] of along) {
+      if (!last || low[axis] > last[1][axis] + kUnit3d / 2) kept.push(last = [low, high]);
+      else if (high[axis] > last[1][axis]) last[1] = high;
+    }
+  }
+  return kept;
+}
+
 function limitOf({ kind, points, tool, axes }) {
   let at = [0, 0, 0];
   const line = [];
@@ -40,6 +69,9 @@ class View3d {
   constructor(data) {
     this.lathe = data.lathe === true;
     this.paths = { r: pathOf(data.moves?.r), s: pathOf(data.moves?.s) };
+    // What is drawn of each, by feed and rapid.
+    this.lines = Object.fromEntries(Object.entries(this.paths).map(([owner, path]) => [owner, [false, true].map((rapid) =>
+      withoutOverlap(path.filter((motion) => motion.points.length > 0 && motion.rapid === rapid).map((motion) => motion.points)))]));
     this.limits = (data.limits ?? []).map(limitOf);
     this.witness = data.at ?? null;
     this.hidden = new Set();
@@ -132,8 +164,8 @@ class View3d {
   draw() {
     for (const owner of ['r', 's']) {
       for (const rapid of [0, 1]) {
-        this.strokes[`${owner}${rapid}`].setAttribute('d', this.hidden.has(owner) ? '' : this.paths[owner]
-          .filter((motion) => motion.points.length > 0 && motion.rapid === (rapid === 1)).map((motion) => this.line(motion.points)).join(''));
+        this.strokes[`${owner}${rapid}`].setAttribute('d', this.hidden.has(owner) ? ''
+          : this.lines[owner][rapid].map((line) => this.line(line)).join(''));
       }
     }
     for (const kind of ['border', 'reach']) {
