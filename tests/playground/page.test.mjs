@@ -112,8 +112,7 @@ test('the line of a motion is marked, and the cursor in a line steps to its firs
   await page.keyboard.press('ArrowDown');
   assert.match(await text(page, '#position'), /^record 6 of 10, line 4/);
   assert.equal(await markedLine(page), 4);
-  const place = await page.locator('#program').boundingBox();
-  await page.mouse.click(place.x + 60, place.y + 20);
+  await page.locator('#program').click({ position: { x: 60, y: 20 } });
   assert.match(await text(page, '#position'), /^record 1 of 10, line 1/);
   // Whoever writes stays in the line.
   await toLine(page, 2);
