@@ -37,9 +37,9 @@ std::string_view style_of(Limit::Kind kind) {
   return kind == Limit::Kind::border ? "gs-border-line" : "gs-reach";
 }
 
-bool has(const Path* path, bool rapid) {
-  return path != nullptr && std::ranges::any_of(path->motions, [rapid](const Motion& motion) {
-           return motion.moves() && motion.rapid == rapid;
+bool has(const Path* path, std::string_view style) {
+  return path != nullptr && std::ranges::any_of(path->motions, [style](const Motion& motion) {
+           return motion.moves() && style_of(motion) == style;
          });
 }
 
@@ -91,11 +91,14 @@ class Legend {
 void append_path_lines(Legend& legend, const Path* path, const std::string& owner,
                        const std::string& name) {
   const std::string before = name.empty() ? "" : name + ", ";
-  const bool feeds = has(path, false);
-  const bool rapids = has(path, true);
-  if (feeds) legend.line(owner + " gs-feed", before + "feed");
-  if (rapids) legend.line(owner + " gs-rapid", before + "rapid");
-  if (!feeds && !rapids) legend.text(name + ": nothing moves here");
+  bool moves = false;
+  for (const std::string_view kind : {"feed", "rapid", "thread"}) {
+    const std::string style = fmt::format("gs-{}", kind);
+    if (!has(path, style)) continue;
+    legend.line(owner + " " + style, before + std::string(kind));
+    moves = true;
+  }
+  if (!moves) legend.text(name + ": nothing moves here");
 }
 
 Legend legend_of(const Figure& figure, double top) {

@@ -109,18 +109,22 @@ std::optional<View> inset_view(const Layout& layout, const Path& reference,
 void append_inset_path(std::string& out, const View& view, const Path& path, char owner) {
   std::string rapids;
   std::string feeds;
+  std::string threads;
   for (const Motion& motion : path.motions) {
     for (std::size_t i = 1; i < motion.points.size(); ++i) {
-      append_clipped(motion.rapid ? rapids : feeds, view.place(motion.points[i - 1]),
-                     view.place(motion.points[i]), view.field);
+      append_clipped(motion.rapid         ? rapids
+                     : motion.is_thread() ? threads
+                                          : feeds,
+                     view.place(motion.points[i - 1]), view.place(motion.points[i]), view.field);
     }
   }
-  if (!rapids.empty()) {
-    out += fmt::format("<path class=\"gs-{} gs-rapid\" d=\"{}\"/>\n", owner, rapids);
-  }
-  if (!feeds.empty()) {
-    out += fmt::format("<path class=\"gs-{} gs-feed\" d=\"{}\"/>\n", owner, feeds);
-  }
+  const auto append = [&](std::string_view style, const std::string& d) {
+    if (d.empty()) return;
+    out += fmt::format("<path class=\"gs-{} {}\" d=\"{}\"/>\n", owner, style, d);
+  };
+  append("gs-rapid", rapids);
+  append("gs-feed", feeds);
+  append("gs-thread", threads);
 }
 
 }  // namespace gonogo::oracle::report

@@ -35,6 +35,7 @@ struct Motion {
   std::string text;            // the record as JSON, exact numbers
   std::vector<Point3> points;  // at least two when it moves; else where the machine stands
   bool moves() const { return points.size() > 1; }
+  bool is_thread() const { return kind == "thread"; }
 };
 
 // The points, planes and axes of a cycle under the names that its text gives them.

@@ -67,8 +67,21 @@ void append_marks(std::string& out, const View& view, const Sheet& sheet, const 
   append_witness(out, view.place(*sheet.witness));
 }
 
+// What a page needs to draw the view anew at another scale: its frame, and where points lie in it.
+std::string geometry_of(const View& view) {
+  const auto along = [](const Direction& d) {
+    return fmt::format("{:.6g} {:.6g} {:.6g}", d.x, d.y, d.z);
+  };
+  return fmt::format(
+      " data-frame=\"{} {} {} {}\" data-right=\"{}\" data-up=\"{}\" data-scale=\"{:.9g}\" "
+      "data-middle=\"{:.9g} {:.9g}\"{}",
+      svg::number(view.frame.x), svg::number(view.frame.y), svg::number(view.frame.width),
+      svg::number(view.frame.height), along(view.right), along(view.up), view.scale,
+      view.middle_right, view.middle_up, view.diameters ? " data-diameters=\"\"" : "");
+}
+
 void append_view(std::string& out, const View& view, const Sheet& sheet, const Parts& parts) {
-  out += fmt::format("<g data-view=\"{}\">\n", view.key);
+  out += fmt::format("<g data-view=\"{}\"{}>\n", view.key, geometry_of(view));
   append_view_frame(out, view);
   append_pocket(out, view, sheet, parts);
   append_path(out, view, *sheet.reference, 'r');

@@ -15,6 +15,7 @@ namespace {
 using std::string_view_literals::operator""sv;
 
 // Blue and vermilion keep apart for every kind of colour vision; width and dashes differ as well.
+// Traverses have colours of their own, since only their ends are specified; threads a dash.
 constexpr std::string_view kStyle = R"css(<style>
 .gs-sheet{font-family:"DejaVu Sans","Noto Sans","Segoe UI",Arial,sans-serif;font-size:11px}
 .gs-sheet text{fill:var(--gs-ink,#1c2733)}
@@ -32,8 +33,11 @@ constexpr std::string_view kStyle = R"css(<style>
 .gs-sheet .gs-r{stroke:var(--gs-reference,#0072b2);stroke-width:4;stroke-linecap:round;stroke-linejoin:round}
 .gs-sheet .gs-s{stroke:var(--gs-subject,#d55e00);stroke-width:1.6;stroke-linecap:round;stroke-linejoin:round}
 .gs-sheet .gs-r.gs-feed{opacity:.75}
-.gs-sheet .gs-r.gs-rapid{stroke-dasharray:9 7;stroke-width:2.6;opacity:.7}
-.gs-sheet .gs-s.gs-rapid{stroke-dasharray:3 5}
+.gs-sheet .gs-r.gs-rapid{stroke:var(--gs-rapid-reference,#6b4fb0);stroke-dasharray:9 7;stroke-width:2.6}
+.gs-sheet .gs-s.gs-rapid{stroke:var(--gs-rapid-subject,#8c5a00);stroke-dasharray:3 5}
+.gs-sheet .gs-thread{stroke-linecap:butt}
+.gs-sheet .gs-r.gs-thread{opacity:.75;stroke-dasharray:18 3 4 3}
+.gs-sheet .gs-s.gs-thread{stroke-dasharray:18 3 4 3}
 .gs-sheet .gs-r.gs-head{fill:var(--gs-reference,#0072b2);stroke-width:1}
 .gs-sheet .gs-s.gs-head{fill:var(--gs-subject,#d55e00);stroke-width:1}
 .gs-sheet .gs-start{stroke:var(--gs-ink,#1c2733);stroke-width:1.6;fill:var(--gs-paper,#fff)}
@@ -173,15 +177,31 @@ void append_legend_line(std::string& out, double x, double y, std::string_view s
   svg::append_text(out, {x + 54, y + 4}, "gs-text", text);
 }
 
-void append_legend(std::string& out, const Sheet& sheet, double x, double y) {
+bool has_threads(const Path* path) {
+  return path != nullptr && std::ranges::any_of(path->motions, &Motion::is_thread);
+}
+
+// Returns where the next line stands.
+double append_legend_lines(std::string& out, const Sheet& sheet, double x, double y) {
   const bool two = sheet.departing != nullptr;
-  append_legend_line(out, x, y + 16, "gs-r gs-feed", two ? "reference, feed"sv : "feed"sv);
-  append_legend_line(out, x, y + 34, "gs-r gs-rapid", two ? "reference, rapid"sv : "rapid"sv);
-  if (two) {
-    append_legend_line(out, x, y + 52, "gs-s gs-feed", "subject, feed");
-    append_legend_line(out, x, y + 70, "gs-s gs-rapid", "subject, rapid");
-  }
-  const double marks = y + (two ? 88 : 56);
+  const bool threads = has_threads(sheet.reference) || has_threads(sheet.departing);
+  const double pitch = threads && two ? 13 : 18;
+  const auto line = [&](std::string_view style, std::string_view of_two, std::string_view alone) {
+    append_legend_line(out, x, y, style, two ? of_two : alone);
+    y += pitch;
+  };
+  line("gs-r gs-feed", "reference, feed", "feed");
+  line("gs-r gs-rapid", "reference, rapid", "rapid");
+  if (threads) line("gs-r gs-thread", "reference, thread", "thread");
+  if (!two) return y;
+  line("gs-s gs-feed", "subject, feed", {});
+  line("gs-s gs-rapid", "subject, rapid", {});
+  if (threads) line("gs-s gs-thread", "subject, thread", {});
+  return y;
+}
+
+void append_legend(std::string& out, const Sheet& sheet, double x, double y) {
+  const double marks = append_legend_lines(out, sheet, x, y + 16);
   out += fmt::format(
       "<circle class=\"gs-start\" cx=\"{}\" cy=\"{}\" r=\"5\"/>"
       "<rect class=\"gs-end gs-r\" x=\"{}\" y=\"{}\" width=\"7\" height=\"7\"/>",

@@ -61,6 +61,10 @@ bool append_arrowhead(std::string& d, const View& view, const std::vector<Point3
 
 }  // namespace
 
+std::string_view style_of(const Motion& motion) {
+  return motion.rapid ? "gs-rapid" : motion.is_thread() ? "gs-thread" : "gs-feed";
+}
+
 Extent extent_of_paths(std::initializer_list<const Path*> paths) {
   Extent extent;
   for (const Path* path : paths) {
@@ -75,16 +79,17 @@ Extent extent_of_paths(std::initializer_list<const Path*> paths) {
 void append_path(std::string& out, const View& view, const Path& path, char owner) {
   Strand rapids;
   Strand feeds;
+  Strand threads;
   Strand heads;
   const auto moving = std::ranges::count_if(path.motions, &Motion::moves);
   for (std::size_t i = 0; i < path.motions.size(); ++i) {
     const Motion& motion = path.motions[i];
     if (!motion.moves()) continue;
-    Strand& strand = motion.rapid ? rapids : feeds;
+    Strand& strand = motion.rapid ? rapids : motion.is_thread() ? threads : feeds;
     strand.records.push_back(i);
     svg::append_subpath(strand.d, view, motion.points);
     if (strand.records.size() == kMostSubpaths) {
-      append_strand(out, strand, owner, motion.rapid ? "gs-rapid" : "gs-feed");
+      append_strand(out, strand, owner, style_of(motion));
     }
     if (moving <= static_cast<std::ptrdiff_t>(kMostArrows) &&
         append_arrowhead(heads.d, view, motion.points)) {
@@ -93,6 +98,7 @@ void append_path(std::string& out, const View& view, const Path& path, char owne
   }
   append_strand(out, rapids, owner, "gs-rapid");
   append_strand(out, feeds, owner, "gs-feed");
+  append_strand(out, threads, owner, "gs-thread");
   append_strand(out, heads, owner, "gs-head");
 }
 

@@ -124,7 +124,7 @@ test('a failure says under which reading it would be GO', () => withPage(results
 }, atCase('gsk.g110.000001')));
 
 test('a drawing has its views, both paths and the departure', () => withPage(results, async (page) => {
-  const views = await page.locator('#sheet [data-view]').evaluateAll((all) => all.map((one) => one.dataset.view));
+  const views = await page.locator('#sheet [data-view], #strip [data-view]').evaluateAll((all) => all.map((one) => one.dataset.view));
   assert.deepEqual(views, ['front', 'top', 'side', 'isometric', 'unfolded']);  // below: its layers, motion beside motion
   for (const view of views.slice(0, 4)) {
     for (const mark of ['.gs-r.gs-feed', '.gs-s.gs-feed', '.gs-r.gs-rapid', '.gs-s.gs-rapid', '.gs-witness']) {
@@ -192,18 +192,114 @@ test('a view in space turns, magnifies and follows the steps', () => withPage(re
   assert.equal(await drawn(), '');
 }, atCase('gsk.g94.000002')));
 
-test('the sheet is magnified at the departure and whole again', () => withPage(results, async (page) => {
-  const boxOf = () => page.locator('#sheet svg').first().getAttribute('viewBox');
-  const whole = await boxOf();
+// Boxes of what is drawn, in pixels of the screen.
+const boxes = (page, selector) => page.locator(selector).evaluateAll((all) => all.filter((one) => one.getClientRects().length > 0).map((one) => {
+  const { left, top, right, bottom } = one.getBoundingClientRect();
+  return { left, top, right, bottom, width: right - left, height: bottom - top };
+}));
+const within = (inner, outer) => inner.left >= outer.left - 1 && inner.right <= outer.right + 1 && inner.top >= outer.top - 1 && inner.bottom <= outer.bottom + 1;
+
+test('what is magnified keeps its sizes, and its numbers are made anew', () => withPage(results, async (page) => {
+  const measured = async () => ({
+    ring: (await boxes(page, '#sheet [data-view=front] .gs-witness circle'))[0].width,
+    head: (await page.locator('#sheet [data-view=front] path.gs-head').first().getAttribute('d')).match(/-?[\d.]+/g).slice(0, 4).map(Number),
+    title: (await boxes(page, '#sheet [data-view=front] .gs-name'))[0],
+    numbers: await page.locator('#sheet [data-view=front] .gs-numbers .gs-label').allInnerTexts(),
+    high: (await boxes(page, '#sheet [data-view=front] .gs-numbers .gs-label')).map((box) => box.height),
+    scale: await page.locator('#sheet [data-view=front] .gs-content').evaluate((node) => node.getCTM().a),
+  });
+  const before = await measured();
   await page.click('#zoom-departure');
-  const [x, y, width, height] = (await boxOf()).split(' ').map(Number);
-  assert.ok(Math.abs(width - Number(whole.split(' ')[2]) / 8) < 1);
-  const ring = page.locator('#sheet [data-view] .gs-witness circle').first();
-  const [cx, cy] = [Number(await ring.getAttribute('cx')), Number(await ring.getAttribute('cy'))];
-  assert.ok(cx > x && cx < x + width && cy > y && cy < y + height, 'the departure is in sight');
-  await page.click('#zoom-all');
-  assert.equal(await boxOf(), whole);
+  const after = await measured();
+  const length = ({ head: [a, b, c, d] }) => Math.hypot(a - c, b - d);
+  assert.ok(after.scale > 1.9 * before.scale, JSON.stringify([before.scale, after.scale]));
+  assert.ok(Math.abs(after.ring - before.ring) < 1, JSON.stringify([before.ring, after.ring]));
+  assert.ok(Math.abs(length(after) - length(before)) < 0.1);
+  assert.ok(Math.abs(after.title.height - before.title.height) < 0.5);
+  assert.ok(after.high.every((one) => Math.abs(one - before.high[0]) < 0.5));
+  assert.notDeepEqual(after.numbers, before.numbers);
+  assert.ok(after.numbers.length >= 4, 'numbers at the frame');
+  // Read at one moment: the page may still be scrolling.
+  const [view, ...inside] = await boxes(page, '#sheet, #sheet [data-view=front] .gs-numbers .gs-label, #sheet [data-view=front] .gs-witness circle');
+  for (const box of inside) assert.ok(within(box, view), JSON.stringify([box, view]));
 }, atCase('gsk.g94.000002')));
+
+test('a failing block fills the view at first, and what leads to it is cut at the frame', () => withPage(results, async (page) => {
+  const drawn = () => page.evaluate(() => {
+    const path = document.querySelector('#sheet [data-view=front] .gs-s.gs-feed');
+    const { width, height } = path.getBoundingClientRect();
+    const clip = document.querySelector('#clip-front rect').getBBox();
+    return { share: Math.max(width / clip.width, height / clip.height), approach: document.querySelector('#sheet [data-view=front] .gs-r.gs-rapid').getBoundingClientRect().width / clip.width };
+  });
+  const first = await drawn();
+  await page.click('#zoom-all');
+  const whole = await drawn();
+  assert.ok(first.share > 1.2 * whole.share, JSON.stringify([first, whole]));
+  assert.ok(first.approach > 1 || first.share > 0.5, JSON.stringify(first));
+  assert.ok(whole.approach <= 1.01, JSON.stringify(whole));
+  await page.click('#zoom-block');
+  assert.deepEqual(await drawn(), first);
+}, atCase('gsk.g94.000002')));
+
+test('rapids have a colour of their own that is seen in light, in dark and on paper', () => withPage(results, async (page) => {
+  for (const media of [{ colorScheme: 'light' }, { colorScheme: 'dark' }, { media: 'print' }]) {
+    await page.emulateMedia(media);
+    const found = await page.evaluate(() => {
+      const luminance = (color) => color.match(/[\d.]+/g).slice(0, 3).map((v) => v / 255)
+        .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)).reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+      const style = (css) => getComputedStyle(document.querySelector(`#sheet [data-view] ${css}`));
+      const paper = luminance(style('.gs-r.gs-rapid').stroke && getComputedStyle(document.querySelector('#sheet .gs-paper')).fill);
+      return ['r', 's'].map((owner) => {
+        const [feed, rapid] = ['feed', 'rapid'].map((kind) => style(`.gs-${owner}.gs-${kind}`));
+        const [a, b] = [luminance(rapid.stroke), paper].sort((x, y) => y - x);
+        return { ratio: (a + 0.05) / (b + 0.05), differs: feed.stroke !== rapid.stroke, dashed: rapid.strokeDasharray !== 'none', opacity: rapid.opacity };
+      });
+    });
+    for (const one of found) assert.ok(one.ratio >= 3 && one.differs && one.dashed && one.opacity === '1', JSON.stringify([media, found]));
+  }
+}, atCase('gsk.g94.000002')));
+
+test('the timeline marks kinds, blocks and the departure, and the slider says them', () => withPage(results, async (page) => {
+  for (const css of ['.tl-rapid', '.tl-feed', '.tl-start', '.tl-block']) {
+    assert.ok((await page.locator(`#timeline ${css}`).getAttribute('d')).length > 0, css);
+  }
+  assert.match(await page.locator('#timeline .tl-departure').getAttribute('d'), /^M1 /);  // the second record
+  const slider = page.locator('#slider');
+  assert.match(await slider.getAttribute('aria-valuetext'), /^subject 2 of 10, rapid, line \d+, the departure$/);
+  assert.equal(await slider.getAttribute('aria-label'), 'Record');
+  await slider.focus();
+  await page.keyboard.press('ArrowRight');
+  await shows(page, '#position', 'subject 3 of 10');
+  assert.match(await slider.getAttribute('aria-valuetext'), /^subject 3 of 10, feed/);
+  const [box] = await boxes(page, '#timeline');
+  await page.mouse.click(box.left + 1, box.top + box.height / 2);
+  await shows(page, '#position', 'subject 1 of 10');
+}, atCase('gsk.g94.000002')));
+
+test('the drawing stays in sight while what was wanted is read', () => withPage(results, async (page) => {
+  for (const [width, height] of [[1400, 900], [1144, 800]]) {
+    await page.setViewportSize({ width, height });
+    await page.locator('#sheet').waitFor();
+    const [sheet, stepper, card] = await page.evaluate(() => {
+      document.querySelector('#want-got').scrollIntoView({ behavior: 'instant', block: 'center' });
+      return ['#sheet', '#stepper', '#want-got'].map((part) => document.querySelector(part).getBoundingClientRect()).map(({ top, bottom }) => [top, bottom]);
+    });
+    for (const [top, bottom] of [sheet, stepper]) assert.ok(top >= 0 && bottom <= height, JSON.stringify([width, sheet, stepper]));
+    assert.ok(card[0] < height && card[1] > 0);
+  }
+}, atCase('gsk.g94.000002')));
+
+test('on a phone one view is shown, and the departure in it', () => withPage(results, async (page) => {
+  await page.setViewportSize({ width: 400, height: 800 });
+  await page.reload();
+  await page.locator('#sheet').waitFor();
+  const [sheet, ...rings] = await boxes(page, '#sheet, #sheet [data-view] .gs-witness circle');
+  assert.equal(rings.length, 1);
+  assert.ok(within(rings[0], sheet) && sheet.right <= 400, JSON.stringify([rings, sheet]));
+  const [frame, ...labels] = await boxes(page, '#sheet, #sheet .gs-numbers .gs-label');
+  for (const box of labels) assert.ok(within(box, frame) && box.height > 9, JSON.stringify(box));
+  assert.equal(await page.evaluate(() => document.querySelector('#sheet').scrollWidth <= document.querySelector('#sheet').clientWidth), true);
+}, atCase('gsk.g110.000001')));
 
 test('on paper each finding has a sheet of its own', () => withPage(results, async (page) => {
   await page.emulateMedia({ media: 'print' });
@@ -274,9 +370,8 @@ test('a click in the drawing chooses the nearest motion', () => withPage(results
   await page.locator('#sheet [data-view=front] .gs-s.gs-feed').scrollIntoViewIfNeeded();
   const at = await page.evaluate(() => {
     const path = document.querySelector('#sheet [data-view=front] .gs-s.gs-feed');
-    const svg = path.ownerSVGElement;
-    const middle = path.getPointAtLength(1).matrixTransform(svg.getScreenCTM());
-    return { x: middle.x, y: middle.y + 12 };
+    const middle = path.getPointAtLength(20).matrixTransform(path.getScreenCTM());
+    return { x: middle.x, y: middle.y + 5 };
   });
   await page.mouse.click(at.x, at.y);
   assert.match(await text(page, '#position'), /^subject (3|7) of 10$/);  // the feeds that begin there

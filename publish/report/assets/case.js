@@ -127,13 +127,16 @@ function showFailure(detail, c, data) {
   }
   const drawn = el('div', { class: 'drawn' });
   detail.append(el('div', { class: data.svg ? 'case' : '' }, told, drawn));
+  const wanted = [];
   if (data.want !== undefined || data.got !== undefined) {
     const cards = el('div', { class: 'records', id: 'want-got' }, recordCard('Want: the reference', 'reference', data.want, data.got),
       recordCard('Got: the subject', 'subject', data.got, data.want));
-    detail.append(el('h3', {}, 'Want and got'), cards);
+    wanted.push(el('h3', {}, 'Want and got'), cards);
   }
-  showDrawing(drawn, detail, data);
-  if (data.times) detail.append(...timesTable(data.times));
+  // Beside the drawing, which stays in sight while they are read.
+  const beside = el('div', { class: 'beside' });
+  told.append(...wanted, beside, ...(data.times ? timesTable(data.times) : []));
+  showDrawing({ drawn, beside, detail }, data);
   if (data.notes) detail.append(el('h3', {}, 'What the subject noted or wrote to stderr'), el('pre', { tabindex: 0 }, el('span', { class: 'line plain' }, data.notes)));
 }
 

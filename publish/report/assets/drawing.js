@@ -22,40 +22,33 @@ function strandsOf(svg) {
   }));
 }
 
-// The sheet with its stepper in one box, what it shows of each step and the view in space in the other.
-function showDrawing(drawn, detail, data) {
+// The sheet with its stepper in one box, what it shows of each step beside it, the view in space below.
+function showDrawing({ drawn, beside, detail }, data) {
   if (!data.svg) {
     if (data.note && data.program !== undefined) detail.append(el('h3', {}, 'Drawing'), el('p', { class: 'note' }, data.note));
     return;
   }
   const parsed = new DOMParser().parseFromString(data.svg, 'image/svg+xml').documentElement;
   const svg = document.importNode(parsed, true);
+  const strip = stripOf(svg);
   // The marks lie in a layer of their own, so that a step does not draw the paths again.
   const layer = svgNode('svg', 'gs-sheet gs-layer');
-  layer.setAttribute('viewBox', svg.getAttribute('viewBox'));
   layer.setAttribute('aria-hidden', 'true');
-  const marks = new Map();
-  for (const view of svg.querySelectorAll('[data-view]')) {
-    const mark = { rim: svgNode('path', 'gs-now'), core: svgNode('path', 'gs-now-core'), tool: svgNode('circle', 'gs-tool') };
-    mark.tool.setAttribute('r', '5');
-    const group = svgNode('g', 'gs-marks');
-    group.dataset.marks = view.dataset.view;
-    group.append(mark.rim, mark.core, mark.tool);
-    layer.append(group);
-    marks.set(view.dataset.view, mark);
-  }
-  const s = { data, svg, marks, strands: strandsOf(svg), lists: { r: data.reference, s: data.trace },
-    owner: data.trace.length > 0 ? 's' : 'r', at: { r: 0, s: 0 }, upTo: false };
+  const s = { data, svg, marks: new Map(), strands: [svg, strip].flatMap((one) => (one ? strandsOf(one) : [])),
+    lists: { r: data.reference, s: data.trace }, owner: data.trace.length > 0 ? 's' : 'r', at: { r: 0, s: 0 }, upTo: false };
   s.last = { r: Math.max(0, s.lists.r.length - 1), s: Math.max(0, s.lists.s.length - 1) };
   indexParts(s);
+  s.sheet = sheetBox(svg, layer, data, () => followViews(s));
+  for (const view of s.sheet.views.views) addMarks(s, layer, view.key, view);
+  if (strip) addMarks(s, strip, 'unfolded', null);
   stepper = s;
-  const sheet = el('div', { class: 'sheet', id: 'sheet' });
-  sheet.append(el('div', { class: 'layers' }, svg, layer));
-  svg.addEventListener('click', (event) => pick(s, event));
+  for (const one of [svg, strip]) one?.addEventListener('click', (event) => pick(s, event));
   const space = data.moves ? spaceBox(data) : null;
   s.space = space?.view;
-  drawn.append(el('h3', { class: 'first' }, 'Drawing'), zoomBar(svg, layer), sheet, controls(s));
-  detail.append(el('div', { class: 'records', id: 'stepped' }), ...(space?.nodes ?? []));
+  drawn.append(el('h3', { class: 'first' }, 'Drawing'), s.sheet.tools, s.sheet.box, sheetLegend(svg), controls(s));
+  beside.append(el('h3', {}, 'Stepped to'), el('div', { class: 'records', id: 'stepped' }));
+  if (strip) detail.append(el('h3', {}, 'Motion beside motion'), el('div', { class: 'sheet strip', id: 'strip', tabindex: 0, role: 'region', 'aria-label': 'Motion beside motion' }, strip));
+  detail.append(...(space?.nodes ?? []));
   for (const note of [data.referenceNote, data.traceNote, data.note,
     data.referenceCut && 'The reference\u2019s path is longer than what is shown.',
     data.traceCut && 'The subject\u2019s path is longer than what is shown.']) {
@@ -65,53 +58,45 @@ function showDrawing(drawn, detail, data) {
   if (departed) goTo('s', data.record);
   else if (data.wanted !== undefined) goTo('r', data.wanted);
   else goTo(s.owner, s.owner === 's' ? s.last.s : 0);
+  s.sheet.open();
 }
 
-// The sheet magnified and moved: its view box, and that of the layer with the marks.
-function zoomBar(svg, layer) {
-  const [, , width, height] = svg.getAttribute('viewBox').split(' ').map(Number);
-  let box = { x: 0, y: 0, width, height };
-  const set = (next) => {
-    box = next;
-    for (const one of [svg, layer]) one.setAttribute('viewBox', `${box.x} ${box.y} ${box.width} ${box.height}`);
-  };
-  // About a point of the sheet.
-  const zoom = (by, x = box.x + box.width / 2, y = box.y + box.height / 2) => {
-    const wide = Math.min(width, Math.max(width / 400, box.width / by));
-    const factor = wide / box.width;
-    const next = { width: wide, height: box.height * factor };
-    next.x = Math.min(width - next.width, Math.max(0, x - (x - box.x) * factor));
-    next.y = Math.min(height - next.height, Math.max(0, y - (y - box.y) * factor));
-    set(next);
-  };
-  svg.addEventListener('wheel', (event) => {
-    if (!event.ctrlKey && box.width === width && event.deltaY > 0) return;  // the page scrolls on
-    event.preventDefault();
-    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-    zoom(event.deltaY < 0 ? 1.25 : 0.8, at.x, at.y);
-  }, { passive: false });
-  let last = null;
-  svg.addEventListener('pointerdown', (event) => { last = box.width < width ? [event.clientX, event.clientY] : null; });
-  for (const end of ['pointerup', 'pointerleave']) svg.addEventListener(end, () => { last = null; });
-  svg.addEventListener('pointermove', (event) => {
-    if (!last) return;
-    const scale = box.width / Math.max(1, svg.getBoundingClientRect().width);
-    const x = box.x - (event.clientX - last[0]) * scale;
-    const y = box.y - (event.clientY - last[1]) * scale;
-    last = [event.clientX, event.clientY];
-    set({ ...box, x: Math.min(width - box.width, Math.max(0, x)), y: Math.min(height - box.height, Math.max(0, y)) });
-  });
-  const button = (id, label, title, act) => el('button', { type: 'button', id, title, on: { click: act } }, label);
-  const witness = svg.querySelector('[data-view] .gs-witness circle');
-  return el('div', { class: 'sheet-tools', role: 'group', 'aria-label': 'Magnify the drawing' },
-    button('zoom-in', '+', 'Magnify', () => zoom(1.6)), button('zoom-out', '\u2212', 'Make smaller', () => zoom(0.625)),
-    witness && button('zoom-departure', 'Departure', 'Magnify the departure', () => {
-      set({ x: 0, y: 0, width, height });
-      const [x, y] = ['cx', 'cy'].map((name) => Number(witness.getAttribute(name)));
-      zoom(8, x, y);
-    }),
-    button('zoom-all', 'Whole sheet', 'The whole sheet', () => set({ x: 0, y: 0, width, height })),
-    el('span', { class: 'note' }, 'The wheel magnifies, a drag moves what is magnified.'));
+// What is stepped to, in one view: the motion and the tool where it ends.
+function addMarks(s, layer, key, view) {
+  const mark = { view, rim: svgNode('path', 'gs-now'), core: svgNode('path', 'gs-now-core'), tool: svgNode('circle', 'gs-tool'), motion: svgNode('g', 'gs-moved') };
+  mark.tool.setAttribute('r', '5');
+  mark.motion.append(mark.rim, mark.core);
+  const group = svgNode('g', 'gs-marks');
+  group.dataset.marks = key;
+  if (view) group.setAttribute('clip-path', `url(#${view.clip.id})`);
+  group.append(mark.motion, mark.tool);
+  layer.append(group);
+  s.marks.set(key, mark);
+}
+
+// After the views have moved: marks, and arrowheads, which keep their size.
+function followViews(s) {
+  for (const [key, mark] of s.marks) {
+    if (!mark.view) continue;
+    mark.motion.setAttribute('transform', mark.view.transform);
+    mark.tool.parentNode.style.display = mark.view.seenNow ? '' : 'none';
+    placeTool(s, key, mark, s.at[s.owner]);
+  }
+  for (const strand of s.strands) if (strand.head) drawStrand(s, strand);
+}
+
+function drawStrand(s, strand) {
+  const most = s.upTo ? s.at[strand.owner] : Infinity;
+  const view = strand.head ? s.marks.get(strand.view)?.view : null;
+  strand.node.setAttribute('d', strand.parts.filter((_, i) => strand.records[i] <= most).map((part) => (view ? headIn(view, part) : part)).join(''));
+}
+
+// An arrowhead moved with its tip, the second of its three corners.
+function headIn(view, part) {
+  const n = part.match(/-?[\d.]+/g).map(Number);
+  const [x, y] = view.seen([n[2], n[3]]);
+  const at = (i) => `${n[i] - n[2] + x} ${n[i + 1] - n[3] + y}`;
+  return `M${at(0)}L${at(2)}L${at(4)}Z`;
 }
 
 function indexParts(s) {
@@ -152,8 +137,8 @@ function controls(s) {
     button('forward', 'Forward \u25b6', 'One record on (right arrow)', () => step(1)),
     button('last', '\u25b6|', 'Last record (End)', () => goTo(s.owner, s.last[s.owner])),
     s.data.record !== undefined && s.data.record <= s.last.s && button('departure', 'Departure', 'The record at fault', () => goTo('s', s.data.record)),
-    el('input', { type: 'range', id: 'slider', min: 0, max: s.last[s.owner], step: 1, 'aria-label': 'Record',
-      on: { input: (event) => goTo(s.owner, Number(event.target.value)) } }),
+    timeline(s, el('input', { type: 'range', id: 'slider', min: 0, max: s.last[s.owner], step: 1, 'aria-label': 'Record',
+      on: { input: (event) => goTo(s.owner, Number(event.target.value)) } })),
     el('output', { id: 'position', 'aria-live': 'polite' }),
     el('label', {}, el('input', { type: 'checkbox', id: 'up-to', on: { change: (event) => { s.upTo = event.target.checked; drawSteps(s); } } }), 'only up to here'),
     el('span', { class: 'note' }, el('kbd', {}, '\u2190'), ' ', el('kbd', {}, '\u2192')));
@@ -172,12 +157,17 @@ function goTo(owner, index) {
   const slider = byId('slider');
   slider.max = s.last[owner];
   slider.value = s.at[owner];
+  slider.setAttribute('aria-valuetext', recordText(s, owner, s.at[owner]));
+  if (s.timelineOf !== owner) drawTimeline(byId('timeline'), s.lists[owner], s.data.b, owner === 's' ? s.data.record : s.data.wanted);
+  s.timelineOf = owner;
   const name = owner === 'r' ? 'reference' : 'subject';
   byId('position').textContent = s.lists[owner].length > 0 ? `${name} ${s.at[owner] + 1} of ${s.last[owner] + 1}` : `${name}: no records`;
   byId('back').disabled = byId('first').disabled = s.at[owner] <= 0;
   byId('forward').disabled = byId('last').disabled = s.at[owner] >= s.last[owner];
   drawSteps(s);
   showRecords(s);
+  const end = s.sheet.paths[owner][s.at[owner]]?.end;
+  if (s.sheet.views.views[0].by && end) s.sheet.views.reveal(end);
 }
 
 function drawSteps(s) {
@@ -186,26 +176,26 @@ function drawSteps(s) {
     const now = s.parts.get(`${view} ${s.owner} ${index}`) ?? '';
     mark.rim.setAttribute('d', now);
     mark.core.setAttribute('d', now);
-    placeTool(s, view, mark.tool, index, now);
+    placeTool(s, view, mark, index);
   }
   s.space?.show(s.owner, index);
   if (!s.upTo && !s.wasUpTo) return;
   s.wasUpTo = s.upTo;
-  for (const strand of s.strands) {
-    const most = s.upTo ? s.at[strand.owner] : Infinity;
-    strand.node.setAttribute('d', strand.parts.filter((_, i) => strand.records[i] <= most).join(''));
-  }
+  for (const strand of s.strands) drawStrand(s, strand);
 }
 
 // Where the machine stands after the record: the end of the last motion so far.
-function placeTool(s, view, tool, index, now) {
-  let part = now;
-  for (let i = index; part === '' && i >= 0; --i) part = s.parts.get(`${view} ${s.owner} ${i}`) ?? '';
+function placeTool(s, key, { view, tool }, index) {
+  let part = '';
+  for (let i = index; part === '' && i >= 0; --i) part = s.parts.get(`${key} ${s.owner} ${i}`) ?? '';
   const end = /(-?[\d.]+) (-?[\d.]+)$/.exec(part);
-  tool.style.display = end ? '' : 'none';
-  if (!end) return;
-  tool.setAttribute('cx', end[1]);
-  tool.setAttribute('cy', end[2]);
+  const known = end !== null && (!view || view.by !== undefined);
+  tool.style.display = known ? '' : 'none';
+  if (!known) return;
+  const place = [Number(end[1]), Number(end[2])];
+  const [x, y] = view ? view.seen(place) : place;
+  tool.setAttribute('cx', x);
+  tool.setAttribute('cy', y);
 }
 
 function showRecords(s) {
@@ -231,15 +221,18 @@ function clauseOf(text) {
   return [el('p', { class: 'note' }, el('strong', { class: 'mono' }, id), ` ${catalog.get(id)?.text ?? ''}`)];
 }
 
-// A click in a view chooses the nearest motion.
+// A click in a view chooses the nearest motion, 14 pixels off at most.
 function pick(s, event) {
-  const view = event.target.closest('[data-view]')?.dataset.view;
-  const matrix = s.svg.getScreenCTM();
-  if (!matrix) return;
+  const svg = event.currentTarget;
+  const inStrip = svg !== s.svg;
+  const box = svg.getBoundingClientRect();
+  const view = inStrip ? null : s.sheet.views.viewAt([event.clientX - box.left, event.clientY - box.top]);
+  const matrix = (view ? view.content : svg).getScreenCTM();
+  if (!matrix || (!view && !inStrip)) return;
   const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
-  let best = { distance: 14 };
+  let best = { distance: 14 / matrix.a };
   for (const strand of s.strands) {
-    if (strand.head || (view && strand.view !== view)) continue;
+    if (strand.head || strand.view !== (view?.key ?? 'unfolded')) continue;
     strand.parts.forEach((part, i) => {
       const distance = distanceTo(part, at);
       if (distance < best.distance) best = { distance, owner: strand.owner, record: strand.records[i] };
