@@ -78,7 +78,7 @@ class SheetView {
     return { path, text, level: way === 'h', at: [Number(x), Number(y)], aside };
   }
 
-  // Of the sheet as it came: where a point of the machine lies.
+  // Where a point of the machine lies on the sheet as it came.
   placeOnSheet(point) {
     return [this.from.middle[0] + (dot(this.right, point) - this.middle[0]) * this.scale,
       this.from.middle[1] - (dot(this.up, point) - this.middle[1]) * this.scale];
