@@ -224,15 +224,20 @@ std::vector<Number> angles_within(const Motion& arc) {
   return angles;
 }
 
-// Where an arc in its plane is directly beside, above or below its centre: it reaches farthest out
-// there.
+// Where an arc of one radius in its plane is directly beside, above or below its centre: it reaches
+// farthest out there.
 std::vector<Position> outermost(const Motion& arc) {
   const PlaneAxes axes = reference::axes_of(arc.record.plane);
   const PlaneVector a = from_centre(arc.record, arc.from);
+  const PlaneVector b = from_centre(arc.record, arc.to());
   const Number square = a.p * a.p + a.q * a.q;
+  const Number growth = b.p * b.p + b.q * b.q - square;
+  const Number rise = arc.to()[axes.d] - arc.from[axes.d];
   const auto& [p, q] = arc.record.centre;
-  const bool is_flat = arc.from[axes.d] == arc.to()[axes.d];
-  if (!is_flat || !p.is_rational() || !q.is_rational() || !square.is_rational()) return {};
+  for (const Number& number : {p, q, square, growth, rise}) {
+    if (!number.is_rational()) return {};
+  }
+  if (growth.sign() != 0 || rise.sign() != 0) return {};
   const int sense = arc.record.rot < 0 ? -1 : 1;
   const double start = std::atan2(estimate(a.q), estimate(a.p)) * 180 / std::numbers::pi;
   const double sweep = std::min(approximate_turns(arc) * 360, 360.0);

@@ -113,7 +113,7 @@ TEST(Centres, TheDeviationIsHowFarTheyAreApart) {
   const Verdict verdict = judge_trace("G0 X10\nG3 X0 Y10 I-10 F100\n", trace.text(), rs274(""));
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
   EXPECT_EQ(verdict.deviation_exact, "0.002");
-  EXPECT_EQ(verdict.witness, R"({"x":"0.0003","y":"-0.002"})");
+  EXPECT_EQ(verdict.witness, R"({"x":"0.0003","y":"-0.002","z":"0"})");
 }
 
 }  // namespace
