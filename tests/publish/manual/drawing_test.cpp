@@ -4,6 +4,7 @@
 // another, a legend for each kind of line, axes and units.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 
@@ -84,14 +85,17 @@ TEST(Drawings, NoTextLiesOnAnother) {
 }
 
 TEST(Drawings, SayTheirUnitsAxesAndKindsOfLines) {
-  for_each_drawing([](const PageFile& file, const reference::Dialect& dialect) {
+  constexpr std::string_view kKinds[] = {"feed", "rapid", "thread"};
+  for_each_drawing([&](const PageFile& file, const reference::Dialect& dialect) {
     bool unit = false;
     bool axes = false;
     bool kinds = false;
     for (const Text& text : texts_of(file.text)) {
       unit = unit || text.words == (dialect.lathe ? "mm, X as a radius" : "mm");
       axes = axes || (text.style == "gs-name" && text.words.size() == 1);
-      kinds = kinds || text.words.ends_with("feed") || text.words.ends_with("rapid");
+      kinds = kinds || std::ranges::any_of(kKinds, [&](std::string_view kind) {
+                return text.words.ends_with(kind);
+              });
     }
     EXPECT_TRUE(unit && axes && kinds) << file.name;
   });
