@@ -139,21 +139,25 @@ void expect_same(const Tried& tried, const Outcome& changed, Share& share) {
                       verdict.want, verdict.got, text_of(tried, changed)));
 }
 
-using generate::Decisions;
-using generate::decisions;
+// Whether a property of what is drawn holds, and enough of it was decided.
+bool holds(const std::function<void(generate::Choices&, Share&)>& property) {
+  Share share;
+  const bool is_so = rc::check([&] {
+    const generate::Decisions bytes = *generate::decisions();
+    generate::Choices choices(bytes);
+    property(choices, share);
+  });
+  EXPECT_TRUE(share.is_enough());
+  return is_so;
+}
 
 using Change = std::function<Outcome(const Tried&, generate::Choices&)>;
 
 bool changes_nothing(Of of, const Change& change) {
-  Share share;
-  const bool holds = rc::check([&] {
-    const Decisions bytes = *decisions();
-    generate::Choices choices(bytes);
+  return holds([&](generate::Choices& choices, Share& share) {
     const Tried tried = drawn(of, choices);
     expect_same(tried, change(tried, choices), share);
   });
-  EXPECT_TRUE(share.is_enough());
-  return holds;
 }
 
 // Of a right outcome, changed so that it must not be NO-GO.
@@ -168,10 +172,7 @@ const Position& start_of(const Tried& tried) {
 
 // J-PROP-01.
 TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
-  Share share;
-  EXPECT_TRUE(rc::check([&] {
-    const Decisions bytes = *decisions();
-    generate::Choices choices(bytes);
+  EXPECT_TRUE(holds([](generate::Choices& choices, Share& share) {
     const generate::Generator& generator = choices.pick(generate::generators());
     const GeneratedOutcome of = right_outcome(generator, small_and_large(), choices);
     RC_PRE(!is_tiny(of.program, of.terms.tolerance));
@@ -189,7 +190,6 @@ TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
                         verdict.want, verdict.got, reference::profile_json(of.program.profile),
                         of.program.text));
   }));
-  EXPECT_TRUE(share.is_enough());
 }
 
 // J-PROP-01.
@@ -202,15 +202,11 @@ TEST(RelationProperties, MotionsInPiecesAreJudgedAsWholeOnes) {
 
 // J-PROP-01: of pieces as small as the tolerance only one half holds.
 TEST(RelationProperties, WhatIsGoIsGoInAnyPieces) {
-  Share share;
-  EXPECT_TRUE(rc::check([&] {
-    const Decisions bytes = *decisions();
-    generate::Choices choices(bytes);
+  EXPECT_TRUE(holds([](generate::Choices& choices, Share& share) {
     const Tried tried = drawn(Of::right, choices);
     RC_PRE(decision(tried.kind) == Decision::go);
     expect_same(tried, split(tried.of.outcome, start_of(tried), 0, choices), share);
   }));
-  EXPECT_TRUE(share.is_enough());
 }
 
 // J-PROP-01.
@@ -222,10 +218,7 @@ TEST(RelationProperties, JoinedMotionsAreJudgedAsTheirPieces) {
 
 // J-PROP-01.
 TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
-  Share share;
-  EXPECT_TRUE(rc::check([&] {
-    const Decisions bytes = *decisions();
-    generate::Choices choices(bytes);
+  EXPECT_TRUE(holds([](generate::Choices& choices, Share& share) {
     const generate::Generator& generator = choices.pick(generate::generators());
     const GeneratedOutcome of = right_outcome(generator, small_and_large(), choices);
     RC_PRE(!renames_position(of.program.text));
@@ -252,7 +245,6 @@ TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
                         verdict.want, verdict.got,
                         text_of({of, VerdictKind::pass_exact}, changed)));
   }));
-  EXPECT_TRUE(share.is_enough());
 }
 
 // J-PROP-01, R2. The last ring of the path that is shown has a radius of 286.76346 about
@@ -274,10 +266,7 @@ TEST(RelationProperties, ALevelWhoseArcsAreCorrectlyRoundedIsCleared) {
 
 // J-PROP-01.
 TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
-  Share share;
-  EXPECT_TRUE(rc::check([&] {
-    const Decisions bytes = *decisions();
-    generate::Choices choices(bytes);
+  EXPECT_TRUE(holds([](generate::Choices& choices, Share& share) {
     const Tried tried = drawn(Of::any, choices);
     RC_PRE(decision(tried.kind) == Decision::go);
     Tolerances wider = tried.of.terms;
@@ -289,7 +278,6 @@ TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
                         verdict.message, verdict.want, verdict.got, wider.tolerance.text(),
                         text_of(tried, tried.of.outcome)));
   }));
-  EXPECT_TRUE(share.is_enough());
 }
 
 // J-PROP-01.
@@ -301,10 +289,7 @@ TEST(RelationProperties, MotionsThatLeadNowhereAndDwellsOfNoTimeChangeNothing) {
 
 // J-PROP-01.
 TEST(RelationProperties, LineNumbersThatAreNotDeclaredAreNotLookedAt) {
-  Share share;
-  EXPECT_TRUE(rc::check([&] {
-    const Decisions bytes = *decisions();
-    generate::Choices choices(bytes);
+  EXPECT_TRUE(holds([](generate::Choices& choices, Share& share) {
     Tried tried = drawn(Of::any, choices);
     tried.of.terms.compare_blocks = false;
     tried.kind = judge(tried, tried.of.outcome, tried.of.terms).kind;
@@ -315,7 +300,6 @@ TEST(RelationProperties, LineNumbersThatAreNotDeclaredAreNotLookedAt) {
     RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}", name(verdict.kind), verdict.message,
                         verdict.want, verdict.got, text_of(tried, changed)));
   }));
-  EXPECT_TRUE(share.is_enough());
 }
 
 }  // namespace
