@@ -155,7 +155,7 @@ function stripOf(svg) {
 const kLegend = [['gs-r gs-feed', 'reference, feed'], ['gs-r gs-rapid', 'reference, rapid'], ['gs-r gs-thread', 'reference, thread'],
   ['gs-s gs-feed', 'subject, feed'], ['gs-s gs-rapid', 'subject, rapid'], ['gs-s gs-thread', 'subject, thread']];
 
-// Of what is drawn; the sheet's own stands on paper.
+// The legend of what is drawn; that of the sheet itself is for paper.
 function sheetLegend(svg) {
   const swatch = (css) => {
     const line = svgNode('path', css);

@@ -160,7 +160,7 @@ bool changes_nothing(Of of, const Change& change) {
   });
 }
 
-// Of a right outcome, changed so that it must not be NO-GO.
+// A right outcome must not be NO-GO, however it was changed.
 bool is_go(const Verdict& verdict, Share& share) {
   share.note(decision(verdict.kind) == Decision::go);
   return decision(verdict.kind) != Decision::no_go;
