@@ -63,7 +63,7 @@ bool Attributor::count(const Variant& variant, const Observation& seen, Cause& c
 
 void Attributor::try_variant(const Variant& variant) {
   ++found_.tried;
-  Cause cause{variant.name, 0, 0, 0, variant.opposite};
+  Cause cause{variant.name, 0, 0, 0, variant.opposite, variant.is_misread, found_.tried};
   for (const Observation& seen : found_.programs) {
     if (seen.departs()) count(variant, seen, cause);
   }
@@ -122,7 +122,7 @@ Attribution Attributor::finish() {
     const auto rank = [](const Cause& cause) {
       return (cause.departures + 1) * (cause.passes + 1);
     };
-    return std::tuple(rank(b), a.name) < std::tuple(rank(a), b.name);
+    return std::tuple(rank(b), a.place) < std::tuple(rank(a), b.place);
   });
   if (found_.partial.size() > kMostPartial) found_.partial.resize(kMostPartial);
   return std::move(found_);
@@ -216,6 +216,11 @@ bool contradict(const std::vector<Cause>& equal) {
   });
 }
 
+bool is_likely(const Cause& cause, const Attribution& all) {
+  return cause.is_misread ? 4 * cause.departures >= 3 * all.departures
+                          : 2 * cause.departures > all.departures;
+}
+
 }  // namespace
 
 oracle::Cause likely_cause(const Attribution& all) {
@@ -224,8 +229,7 @@ oracle::Cause likely_cause(const Attribution& all) {
   std::vector<Cause> equal = all.complete;
   const bool is_whole = !equal.empty();
   for (const Cause& cause : all.partial) {
-    if (is_whole || 2 * cause.departures <= all.departures || cause.passes != all.passes())
-      continue;
+    if (is_whole || cause.passes != all.passes() || !is_likely(cause, all)) continue;
     if (equal.empty() || cause.departures == equal.front().departures) equal.push_back(cause);
   }
   if (equal.empty() || (equal.size() > kFew && all.departures < kFew)) return {};

@@ -25,6 +25,8 @@ struct Cause {
   std::size_t cut_short = 0;   // that it explains up to where it makes the reference refuse
   std::size_t passes = 0;      // programs that are GO and would be with it
   std::string opposite = {};   // as of the variant
+  bool is_misread = false;     // as of the variant
+  std::size_t place = 0;       // among the mistakes that were tried, the simplest first
 };
 
 struct Attribution {
@@ -33,7 +35,8 @@ struct Attribution {
   std::size_t tried = 0;        // mistakes
   bool given_up = false;        // at most_records; nothing is complete or partial then
   std::vector<Cause> complete;  // explain every departure, and that the others pass
-  std::vector<Cause> partial;   // explain some of it; those that explain most first
+  std::vector<Cause>
+      partial;  // explain some of it; those that explain most first, then the simplest
 
   std::size_t passes() const { return programs.size() - departures; }
 };
@@ -44,7 +47,8 @@ Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
                       const ProgramAsked& asked, const AttributionOptions& options);
 
 // The simplest of those that explain most. Empty: no mistake explains more than half of what
-// departs and all that passes, or too many do for what was seen.
+// departs, three quarters of it where a word or a code is misread, and all that passes; or too many
+// do for what was seen.
 oracle::Cause likely_cause(const Attribution& attribution);
 
 std::string attribution_text(const Attribution& attribution);

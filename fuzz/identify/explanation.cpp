@@ -116,15 +116,26 @@ Fit Explainer::fit(const Variant& variant, const Observation& seen) {
   return judge_trial(*trial, seen);
 }
 
+namespace {
+
+void add_misread(void (*add)(const Observation&, Variants&), const Observation& departure,
+                 Variants& out) {
+  const std::size_t first = out.size();
+  add(departure, out);
+  for (std::size_t i = first; i < out.size(); ++i) out[i].is_misread = true;
+}
+
+}  // namespace
+
 Variants variants_for(const Observation& departure) {
   Variants variants;
   add_alarm_variants(departure, variants);
   add_clause_variants(departure, variants);
   add_machine_variants(departure, variants);
   add_record_variants(departure, variants);
-  add_word_variants(departure, variants);
+  add_misread(add_word_variants, departure, variants);
   add_modal_variants(departure, variants);
-  add_code_variants(departure, variants);
+  add_misread(add_code_variants, departure, variants);
   add_model_variants(departure, variants);
   return variants;
 }

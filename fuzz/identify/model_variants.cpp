@@ -258,8 +258,8 @@ void add_roundings(Variants& out) {
   }
 }
 
-// Leaves out the motion at this place of each block of the cycle; negative places count from the
-// last one.
+// Leaves out the motion at this place of each block of the code that has several; negative places
+// count from the last one.
 bool leave_out(const Observation& seen, KeptOutcome& model, const Motions& motions, int place) {
   const ProgramText program(seen.profile, seen.program);
   std::vector<Record> kept;
@@ -271,7 +271,8 @@ bool leave_out(const Observation& seen, KeptOutcome& model, const Motions& motio
       ++end;
     }
     const auto at = static_cast<std::ptrdiff_t>(place >= 0 ? begin : end) + place;
-    const bool ours = is_of(program, block, motions) && is_motion(model.records[begin].kind);
+    const bool ours =
+        is_of(program, block, motions) && is_motion(model.records[begin].kind) && end - begin > 1;
     for (std::size_t i = begin; i < end; ++i) {
       if (!ours || static_cast<std::ptrdiff_t>(i) != at) kept.push_back(model.records[i]);
     }

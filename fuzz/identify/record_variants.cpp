@@ -89,6 +89,39 @@ void add_senses(Variants& out) {
   }
 }
 
+// The point between start and end goes to the other arc of the circle: the line from it through the
+// middle of the chord meets the circle there, since the two parts of that line and the halves of
+// the chord have the same product.
+void take_other_side(Record& arc, const reference::Position& from) {
+  reference::Position middle;
+  reference::Position out;
+  Number half;
+  Number distance;
+  for (const Axis axis : reference::kLinearAxes) {
+    middle[axis] = (from[axis] + arc.to[axis]) / 2;
+    out[axis] = arc.via[axis] - middle[axis];
+    half = half + (arc.to[axis] - middle[axis]) * (arc.to[axis] - middle[axis]);
+    distance = distance + out[axis] * out[axis];
+  }
+  if (distance.sign() == 0) return;
+  for (const Axis axis : reference::kLinearAxes) {
+    arc.via[axis] = middle[axis] - out[axis] * half / distance;
+  }
+}
+
+void add_space_arcs(Variants& out) {
+  add_outcome(
+      "every CIP turns the other way",
+      [](const Observation& seen, KeptOutcome& outcome) {
+        reference::Position at = seen.profile.initial.at;
+        for (Record& record : outcome.records) {
+          if (record.kind == RecordKind::arc3) take_other_side(record, at);
+          if (is_motion(record.kind)) at = record.to;
+        }
+      },
+      out);
+}
+
 struct Slip {
   std::string_view name;
   Number undo;  // what the subject's value is multiplied by
@@ -257,6 +290,7 @@ void add_kinds(const Motions& motions, Variants& out) {
 
 void add_record_variants(const Observation& departure, Variants& out) {
   add_senses(out);
+  if (departure.profile.dialect == "sinumerik840d") add_space_arcs(out);
   add_units(out);
   add_block_numbers(out);
   for (const Motions& motions : motions_concerned(departure)) {

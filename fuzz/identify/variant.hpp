@@ -61,6 +61,8 @@ struct Variant {
   // is as the mistake makes it.
   std::function<bool(const Observation&)> holds = {};
   std::string opposite = {};  // the name of the mistake in the other sense; empty: there is none
+  // A word or a code is read as another: much hangs on it, so that it explains something by chance.
+  bool is_misread = false;
 };
 
 using Variants = std::vector<Variant>;

@@ -42,13 +42,20 @@ bool everywhere(const TextBlock&) {
   return true;
 }
 
+// Which words a mistake may be made with.
+enum class Words : std::uint8_t {
+  measured,  // all but numbers of times
+  counted,   // numbers of times, of tools and of functions
+  steps,     // those by which a cycle goes on again and again
+};
+
 // What becomes of the value; nothing: the word stays as it is.
 struct Operation {
   std::string_view name;
   std::function<std::optional<Number>(const Number&)> value;
   bool (*where)(const TextBlock& block) = everywhere;
   std::string_view opposite = {};  // its name
-  bool of_steps = false;           // of words by which a cycle goes on again and again alone
+  Words words = Words::measured;
 };
 
 bool under_inches(const TextBlock& block) {
@@ -57,6 +64,23 @@ bool under_inches(const TextBlock& block) {
 
 bool where_x_is_a_radius(const TextBlock& block) {
   return block.modes.x_radius;
+}
+
+bool is_among(Words words, const TextBlock& block, const TextWord& word,
+              const reference::Descriptor& table) {
+  const reference::CodeWord* const known = block.role_of(word, table);
+  if (known == nullptr) return words != Words::steps;
+  const bool is_counted =
+      known->role == Role::count || known->role == Role::turns || known->role == Role::number;
+  switch (words) {
+    case Words::measured:
+      return !is_counted;
+    case Words::counted:
+      return is_counted;
+    case Words::steps:
+      return known->role == Role::step;
+  }
+  return false;
 }
 
 Number half_up(const Number& value, int places) {
@@ -84,13 +108,17 @@ const std::vector<Operation>& operations() {
        [](const Number& v) -> Value { return v * 1000; },
        everywhere,
        {},
-       true},
+       Words::steps},
       {"is 1000 times too large, milli for one", [](const Number& v) -> Value { return v * 1000; },
        everywhere, "is 1000 times too small, one for milli"},
       {"is 1000 times too small, one for milli", [](const Number& v) -> Value { return v / 1000; }},
       {"counts one too many", [](const Number& v) -> Value { return v + 1; }, everywhere,
-       "counts one too few"},
-      {"counts one too few", [](const Number& v) -> Value { return v - 1; }},
+       "counts one too few", Words::counted},
+      {"counts one too few",
+       [](const Number& v) { return v < 1 ? Value() : Value(v - 1); },
+       everywhere,
+       {},
+       Words::counted},
       {"loses its decimals",
        [](const Number& v) -> Value { return v.sign() < 0 ? v.ceil() : v.floor(); }},
       {"is rounded to hundredths", [](const Number& v) -> Value { return half_up(v, 2); }},
@@ -108,11 +136,6 @@ void add_edit(std::string name, program::WordEdit edit, Variants& out) {
                  }});
 }
 
-bool is_step(const TextBlock& block, const TextWord& word, const reference::Descriptor& table) {
-  const reference::CodeWord* const known = block.role_of(word, table);
-  return known != nullptr && known->role == Role::step;
-}
-
 void add_operations(const Scope& scope, const reference::Descriptor& table, Variants& out) {
   // The simplest goes first: what is ignored may be too small to matter as well.
   add_edit(
@@ -128,7 +151,7 @@ void add_operations(const Scope& scope, const reference::Descriptor& table, Vari
         [scope, &operation, &table](const TextBlock& block,
                                     const TextWord& word) -> std::optional<std::string> {
           if (!scope.has(block, word) || !operation.where(block)) return std::nullopt;
-          if (operation.of_steps && !is_step(block, word, table)) return std::nullopt;
+          if (!is_among(operation.words, block, word, table)) return std::nullopt;
           const auto written = exact_value_of(word);
           const auto value = written ? operation.value(*written) : std::nullopt;
           if (!value) return std::nullopt;
