@@ -144,6 +144,14 @@ SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t of
   if (key == "number" || key == "number-or-equals") offset = behind_number_start(line, offset);
   std::string phrase = insert(expectation.phrase, address_before(line, offset));
   if (offset == line.size()) return {expectation.code, span(offset, offset), std::move(phrase)};
+  if (key == kWordEnd) {
+    // What other languages begin a comment with, or a text leaves blocks out by.
+    for (const std::string_view sign : {"//", "\xE2\x80\xA6", "..."}) {
+      if (!line.substr(offset).starts_with(sign)) continue;
+      return {SyntaxCode::unexpected_character, span(offset, offset + sign.size()),
+              "';', with which a comment begins; " + std::string(sign) + " begins none"};
+    }
+  }
   const char byte = line[offset];
   if (!program.contains(byte)) return foreign_character(line, offset, std::move(phrase));
   const char capital = capital_of(byte);

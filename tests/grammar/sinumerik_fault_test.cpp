@@ -249,6 +249,18 @@ TEST(SinumerikFault, InAnOutsideConstructBytesThatNoProgramHas) {
             "'-' of ASCII and not U+2212, which looks like it");
 }
 
+TEST(SinumerikFault, ACommentOfAnotherLanguage) {
+  const SyntaxError slashes = sinumerik_fault("G1 X1 // to the start");
+  EXPECT_EQ(slashes.where, (Span{6, 8}));
+  EXPECT_EQ(
+      message(slashes),
+      "This cannot stand here; expected is ';', with which a comment begins; // begins none.");
+  EXPECT_EQ(sinumerik_fault("X=1 // 2").where, (Span{4, 6}));
+  EXPECT_EQ(sinumerik_fault("\xE2\x80\xA6\xE2\x80\xA6").where, (Span{0, 3}));
+  EXPECT_EQ(sinumerik_fault("G1 X1 ...").expected,
+            "';', with which a comment begins; ... begins none");
+}
+
 TEST(SinumerikFault, ALineAboveTheLimit) {
   EXPECT_EQ(sinumerik_fault(std::string(kMaximumLine + 1, ' ')), line_too_long());
 }
