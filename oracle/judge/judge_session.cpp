@@ -267,7 +267,8 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   if (rank(one) > 1) return false;
   if (one.progress != other.progress) return one.progress > other.progress;
   const auto lacks_alarm = [](const SampledVerdict& said) {
-    return said.verdict.kind == VerdictKind::fail_alarm_missing;
+    return said.verdict.kind == VerdictKind::fail_alarm_missing ||
+           said.verdict.kind == VerdictKind::fail_alarm_late;
   };
   return !lacks_alarm(one) && lacks_alarm(other);
 }

@@ -102,7 +102,8 @@ class JudgeSession {
 
 // Whether what is said under one assignment counts before what is said under another: the best
 // pass; else a gap, for under that assignment the subject may be right; else the departure that
-// comes last. A missing alarm counts behind another departure that comes equally far.
+// comes last. An alarm that is missing or late counts behind another departure that comes equally
+// far.
 bool outranks(const SampledVerdict& one, const SampledVerdict& other);
 
 // R7: of departures, the one that counts in place of the best, which runs on over an alarm that no

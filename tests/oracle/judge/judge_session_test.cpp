@@ -35,5 +35,14 @@ TEST(JudgeSession, TheBetterPassCountsAndTheLaterDeparture) {
   EXPECT_FALSE(outranks(said(VerdictKind::fail_feed, 2), said(VerdictKind::fail_geometry, 2)));
 }
 
+// A wrong path is told as one, and not as the alarm that another alternative would have given.
+TEST(JudgeSession, AMotionThatDepartsCountsBeforeAnAlarmThatIsMissingOrLate) {
+  for (const VerdictKind alarm : {VerdictKind::fail_alarm_missing, VerdictKind::fail_alarm_late}) {
+    EXPECT_TRUE(outranks(said(VerdictKind::fail_geometry, 2), said(alarm, 2)));
+    EXPECT_FALSE(outranks(said(alarm, 2), said(VerdictKind::fail_geometry, 2)));
+    EXPECT_TRUE(outranks(said(alarm, 3), said(VerdictKind::fail_geometry, 2)));
+  }
+}
+
 }  // namespace
 }  // namespace gonogo::oracle
