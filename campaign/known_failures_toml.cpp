@@ -130,7 +130,7 @@ std::variant<Result, FileFault> read_toml(std::string_view text, Read read) {
   } catch (const FileFault& fault) {
     return fault;
   } catch (const toml::parse_error& error) {
-    return FileFault{fmt::format("line {}: {}", error.source().begin.line, error.description())};
+    return FileFault{reference::toml_fault(text, error)};
   }
 }
 

@@ -269,15 +269,13 @@ Profile profile_of(Json document, std::string dialect) {
 }
 
 template <typename Read>
-ProfileResult guarded(Read read, std::string_view unnamed) {
+ProfileResult guarded(Read read, std::string_view text, std::string_view unnamed) {
   try {
     return profile_of(read(), std::string(unnamed));
   } catch (const Fault& fault) {
     return fault.error;
   } catch (const toml::parse_error& error) {
-    const auto& at = error.source().begin;
-    return ProfileError{"", fmt::format("The profile is no TOML: line {}, column {}: {}.", at.line,
-                                        at.column, error.description())};
+    return ProfileError{"", toml_fault(text, error)};
   } catch (const Json::exception& error) {
     return ProfileError{"", fmt::format("The profile is no JSON: {}.", error.what())};
   }
@@ -315,11 +313,11 @@ std::vector<ProfileKey> keys_of_json(std::string_view text) {
 }
 
 ProfileResult profile_from_toml(std::string_view text, std::string_view unnamed) {
-  return guarded([&] { return from_toml_node(parse_toml(text), ""); }, unnamed);
+  return guarded([&] { return from_toml_node(parse_toml(text), ""); }, text, unnamed);
 }
 
 ProfileResult profile_from_json(std::string_view text, std::string_view unnamed) {
-  return guarded([&] { return parse_json_once(text); }, unnamed);
+  return guarded([&] { return parse_json_once(text); }, text, unnamed);
 }
 
 }  // namespace gonogo::reference

@@ -59,4 +59,36 @@ toml::table parse_toml(std::string_view text, std::string_view path) {
   return toml::parse(text, path);
 }
 
+namespace {
+
+constexpr std::size_t kMostShown = 100;  // bytes of a line
+
+// The line with a caret under the column, which counts from 1; nothing of a long one.
+std::string marked_line(std::string_view text, std::size_t number, std::size_t column) {
+  for (std::size_t line = 1; line < number; ++line) {
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    if (text.empty()) return {};
+  }
+  const std::string line(text.substr(0, text.find_first_of("\r\n")));
+  if (line.empty() || line.size() > kMostShown || column > line.size() + 1) return {};
+  return "\n  " + line + "\n  " + std::string(column - 1, ' ') + "^";
+}
+
+}  // namespace
+
+std::string toml_fault(std::string_view text, const toml::parse_error& error) {
+  const toml::source_position& at = error.source().begin;
+  const std::string_view what = error.description();
+  std::string said(what);
+  if (what.find("redefine") != std::string_view::npos) {
+    said = "The key or table stands twice. Keep one of them.";
+  } else if (what.starts_with("Error while parsing")) {
+    said =
+        "This is no TOML. A line is a key, = and a value: a text in quotes, a number, true or "
+        "false, or a list in [ ].";
+  }
+  return "line " + std::to_string(at.line) + ", column " + std::to_string(at.column) + ": " + said +
+         marked_line(text, at.line, at.column);
+}
+
 }  // namespace gonogo::reference

@@ -6,11 +6,16 @@
 
 #include <toml++/toml.h>
 
+#include <string>
 #include <string_view>
 
 namespace gonogo::reference {
 
 // Throws toml::parse_error.
 toml::table parse_toml(std::string_view text, std::string_view path = {});
+
+// What is wrong with the text and what to write, with its line and a caret:
+// "line 1, column 11: This is no TOML. ...".
+std::string toml_fault(std::string_view text, const toml::parse_error& error);
 
 }  // namespace gonogo::reference

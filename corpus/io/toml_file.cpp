@@ -19,8 +19,7 @@ toml::table read_toml_file(const std::string& path) {
   try {
     return reference::parse_toml(text);
   } catch (const toml::parse_error& error) {
-    throw CorpusError(
-        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
+    throw CorpusError(fmt::format("{}: {}", path, reference::toml_fault(text, error)));
   }
 }
 
