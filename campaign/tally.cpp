@@ -15,6 +15,8 @@ namespace {
 
 using simdjson::dom::object;
 
+constexpr std::size_t kShownFeatures = 8;  // of a dialect, in the head line of a terminal
+
 [[noreturn]] void fail(std::string_view line, std::string_view what) {
   throw std::runtime_error(fmt::format("{} is no case line: {}", excerpt(line), what));
 }
@@ -139,6 +141,7 @@ RunAnswer Tally::finish(const std::vector<std::string>& stale,
     answer.decision = "GO";
   }
   answer.head = answer.scope.head(answer.decision) + conditions.text();
+  answer.folded_head = answer.scope.head(answer.decision, kShownFeatures) + conditions.text();
   return answer;
 }
 

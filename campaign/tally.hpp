@@ -49,8 +49,9 @@ struct RunAnswer {
   std::string reading_conflict;  // the first case that no assignment explains with those before it
   // For all that is GO: how coordinates are rounded, by dialect.
   std::map<std::string, RoundingCensus> coordinates;
-  std::string decision;  // GO, NO-GO or UNDECIDED
-  std::string head;      // of what: a line
+  std::string decision;     // GO, NO-GO or UNDECIDED
+  std::string head;         // of what: a line
+  std::string folded_head;  // the same with the names of a few features only
   RunScope scope;
   int exit_code = 0;  // of the program: 0, 1 or 3
 };

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 namespace gonogo::oracle {
@@ -42,12 +41,11 @@ CycleTable cycle_table(const RunScope& scope) {
       table.rows.push_back(std::move(row));
     }
   }
-  std::vector<CycleTable::Row> ordered;
-  for (const bool fails : {true, false}) {
-    std::ranges::copy_if(table.rows, std::back_inserter(ordered),
-                         [&](const CycleTable::Row& row) { return row.fails() == fails; });
-  }
-  table.rows = std::move(ordered);
+  std::ranges::sort(table.rows, [](const CycleTable::Row& a, const CycleTable::Row& b) {
+    if (a.no_go() != b.no_go()) return a.no_go() > b.no_go();
+    if (a.dialect != b.dialect) return a.dialect < b.dialect;
+    return NaturalOrder()(a.cycle, b.cycle);
+  });
   return table;
 }
 
@@ -70,7 +68,7 @@ std::string CycleTable::text(std::size_t most) const {
   }
   if (rows.size() > most) text += fmt::format("  and {} more\n", rows.size() - most);
   if (!others.empty()) text += fmt::format("  nothing judged: {}\n", others);
-  return text;
+  return text + fmt::format("  {}\n", kCounting);
 }
 
 }  // namespace gonogo::oracle

@@ -19,9 +19,12 @@ struct CycleTable {
     std::string cycle;
     std::string dialect;
     std::array<std::size_t, kColumns.size()> cases{};
-    bool fails() const { return cases[2] > 0; }
+    std::size_t no_go() const { return cases[2]; }
   };
-  // Cycles of which a case was judged or failed; those that fail first.
+  // Why the numbers are not those of the head line.
+  static constexpr std::string_view kCounting =
+      "The table counts a case once; the first line counts it for each feature it needs.";
+  // Cycles of which a case was judged or failed; those that fail most first.
   std::vector<Row> rows;
   // Cycles of which nothing was judged, with their cases: "g112 306, g114 98"; empty: none.
   std::string others;

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
+
+#include "oracle/records/run_scope.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -104,6 +107,12 @@ std::string Finding::text() const {
                       : fmt::format("{} ({} for {})", out, got, want);
 }
 
+std::string Finding::cycle() const {
+  const auto most =
+      std::ranges::max_element(by_cycle, {}, [](const auto& one) { return one.second; });
+  return most == by_cycle.end() ? std::string() : most->first;
+}
+
 std::string Finding::line() const {
   std::string out = fmt::format("{} x {}, smallest: {}", grouped(cases), text(), smallest.id);
   if (smallest.blocks == 0) return out;
@@ -142,10 +151,13 @@ void Findings::set_cause(const Finding::Key& key, Cause cause) {
   causes_[key] = std::move(cause);
 }
 
-std::vector<const Finding*> Findings::list() const {
+std::vector<const Finding*> Findings::list(Order order) const {
   std::vector<const Finding*> all;
   for (const auto& [key, finding] : findings_) all.push_back(&finding);
-  std::ranges::sort(all, [](const Finding* a, const Finding* b) {
+  std::ranges::sort(all, [order](const Finding* a, const Finding* b) {
+    if (order == Order::cycle && a->cycle() != b->cycle()) {
+      return NaturalOrder()(a->cycle(), b->cycle());
+    }
     return std::tuple(a->key.gravity, size_of(a->smallest)) <
            std::tuple(b->key.gravity, size_of(b->smallest));
   });

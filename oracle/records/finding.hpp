@@ -66,6 +66,8 @@ struct Finding {
   std::map<std::string, std::size_t> by_cycle;  // cases
   Cause cause;
 
+  // That most cases are of.
+  std::string cycle() const;
   // "fail.geometry at GSK-G94-02 (rapid)"
   std::string text() const;
   // "87 x fail.geometry at GSK-G94-02 (rapid), smallest: gsk.g94.000013, 2 blocks"
@@ -81,9 +83,10 @@ class Findings {
   bool is_smallest() const { return is_smallest_; }
   // For one dialect, verdict, clause and `what`.
   void set_cause(const Finding::Key& key, Cause cause);
-  // By gravity, then the smallest program first; those of one cause stand together, where the
-  // gravest of them stands.
-  std::vector<const Finding*> list() const;
+  // By gravity, or by the cycle that most of their cases are of and then by gravity; then the
+  // smallest program first. Those of one cause stand together, where the first of them stands.
+  enum class Order : std::uint8_t { gravity, cycle };
+  std::vector<const Finding*> list(Order order = Order::gravity) const;
   bool empty() const { return findings_.empty(); }
 
  private:

@@ -46,7 +46,7 @@ std::string words_of(const Json& values) {
 
 // " clockwise", " counterclockwise in 3 turns"
 std::string turns_of(const Json& rot) {
-  if (!rot.is_number_integer()) return " turning " + plain(rot);
+  if (!rot.is_number_integer()) return rot == "-" ? " clockwise" : " counterclockwise";
   const auto turns = rot.get<std::int64_t>();
   const std::string sense = turns < 0 ? " clockwise" : " counterclockwise";
   return turns == 1 || turns == -1 ? sense : fmt::format("{} in {} turns", sense, std::abs(turns));
@@ -57,12 +57,28 @@ std::string further_word(const std::string& key, const Json& value) {
   const bool is_told = key == "k" || key == "b" || key == "to";
   if (is_told || key == "clause" || key.starts_with("x-")) return {};
   if (key == "via") return " via" + words_of(value);
-  if (key == "c") return " about" + words_of(value);
+  if (key == "c" || key == "centre") return " about" + words_of(value);
   if (key == "rot") return turns_of(value);
   if (key == "fm") return value == "rev" ? " a revolution" : "";
   if (key == "plane") return " in " + plain(value);
   if (key == "f" || key == "m") return (key == "f" ? " F" : " M") + plain(value);
-  return value.is_object() ? " " + key + words_of(value) : fmt::format(" {} {}", key, plain(value));
+  std::string words = key;
+  std::ranges::replace(words, '_', ' ');
+  return value.is_object() ? " " + words + words_of(value)
+                           : fmt::format(" {} {}", words, plain(value));
+}
+
+// What people call the step: those that leave the path to the control have names of formats.
+std::string name_of(const Json& step) {
+  constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+      {"level", "a layer"},
+      {"thread-pass", "a pass of the thread"},
+      {"helix-pocket", "a helix"},
+      {"pocket-rough", "the roughing of a pocket"},
+      {"pocket-finish", "the finishing of a pocket"}};
+  const std::string kind = plain(step["k"]);
+  const auto found = std::ranges::find(kNames, kind, [](const auto& one) { return one.first; });
+  return found == std::end(kNames) ? kind : std::string(found->second);
 }
 
 // The values of a step that tell it from others, behind its name.
@@ -121,7 +137,7 @@ std::string short_step(std::string_view json) {
   }
   if (!step.contains("k")) return std::string(json);
   const std::string words = further_words(step);
-  return step["k"] == "m" && words.size() > 1 ? words.substr(1) : plain(step["k"]) + words;
+  return step["k"] == "m" && words.size() > 1 ? words.substr(1) : name_of(step) + words;
 }
 
 std::string want_and_got(std::string_view want, std::string_view got) {
@@ -227,7 +243,12 @@ std::string clause_with_sentence(const std::string& id) {
 
 std::string deviation_text(const FindingFacts& facts) {
   if (facts.deviation_exact.empty()) return {};
-  if (facts.deviation_exact == facts.deviation_mm) return facts.deviation_mm + " mm";
+  // A long fraction or a root tells people nothing that the decimal does not.
+  constexpr std::size_t kMostShown = 24;
+  const bool is_readable =
+      facts.deviation_exact.size() <= kMostShown && !facts.deviation_exact.starts_with('{');
+  if (facts.deviation_exact == facts.deviation_mm || !is_readable)
+    return facts.deviation_mm + " mm";
   return fmt::format("{} mm (exactly {})", facts.deviation_mm, facts.deviation_exact);
 }
 

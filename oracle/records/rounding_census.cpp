@@ -225,12 +225,12 @@ std::string RoundedCoordinates::modes_text() const {
     names.back() += rules.empty() ? " with halves by no one rule"
                                   : fmt::format(" with halves {}", fmt::join(texts, " or "));
   }
-  return names.empty() ? "by no one mode" : fmt::format("{}", fmt::join(names, " or "));
+  return names.empty() ? "by no one way of rounding" : fmt::format("{}", fmt::join(names, " or "));
 }
 
 std::string RoundedCoordinates::text() const {
   if (has_grid()) {
-    return fmt::format("on a grid of {} mm, within {} of it, {}", increment().text(),
+    return fmt::format("on a grid of {} mm, at most {} of its steps away, {}", increment().text(),
                        grouped(static_cast<std::size_t>(increments_off())), modes_text());
   }
   const Number most = Number(most_off_) / power_of_ten(kFinest);

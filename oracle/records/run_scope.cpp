@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <span>
 
 namespace gonogo::oracle {
 namespace {
@@ -39,6 +39,14 @@ RunScope::Group& group_of(Groups& groups, Key key, Key rest) {
 
 std::string with_dialect(const std::string& name, const std::string& dialect, bool needed) {
   return needed ? fmt::format("{} of {}", name, dialect) : name;
+}
+
+// "g90, g92 and 3 more features": at most so many names.
+std::string folded(const std::vector<std::string>& names, std::size_t most) {
+  const std::size_t shown = std::min(most, names.size());
+  std::string text = fmt::format("{}", fmt::join(std::span(names).first(shown), ", "));
+  if (shown == names.size()) return text;
+  return text + " and " + counted(names.size() - shown, "more feature", "more features");
 }
 
 }  // namespace
@@ -145,8 +153,8 @@ bool RunScope::claims_every_dialect() const {
 }
 
 // "basic, g94 (10 of 12 cases) of gsk988ta; arc of hnc21t". A feature of which some cases were not
-// judged says how many were. More than `most` of a dialect: their number.
-std::string RunScope::go_features(std::size_t most) const {
+// judged says how many were. More than `most` of a dialect: the first, or none, and their number.
+std::string RunScope::go_features(std::size_t most, Fold fold) const {
   std::string text;
   for (const auto& [dialect, features] : features_) {
     std::vector<std::string> names;
@@ -159,25 +167,35 @@ std::string RunScope::go_features(std::size_t most) const {
     }
     if (names.empty()) continue;
     if (!text.empty()) text += "; ";
-    text += names.size() > most ? counted(names.size(), "feature", "features")
-                                : fmt::format("{}", fmt::join(names, ", "));
+    const bool is_number = fold == Fold::number && names.size() > most;
+    text += is_number ? counted(names.size(), "feature", "features") : folded(names, most);
     text += " of " + dialect;
   }
   return text;
 }
 
-// "g94 of gsk988ta fails 252 of 878 cases, g110 3 of 7, arc of hnc21t 3 of 9"; more than `most`:
-// the first, and how many more.
+// "g94 of gsk988ta fails 252 of 878 cases, g110 3 of 7, arc of hnc21t 3 of 9", of each dialect the
+// one that fails most first; more than `most`: the first, and how many more.
 std::string RunScope::failing_features(std::size_t most) const {
   std::string text;
   std::size_t count = 0;
   for (const auto& [dialect, features] : features_) {
+    std::vector<const Features::value_type*> failing;
+    for (const auto& feature : features) {
+      if (feature.second.to_blame > 0) failing.push_back(&feature);
+    }
+    std::ranges::sort(failing, [](const auto* a, const auto* b) {
+      const std::size_t own = a->second.no_go;
+      const std::size_t other = b->second.no_go;
+      return own != other ? own > other : NaturalOrder()(a->first, b->first);
+    });
     std::string place = " of " + dialect;
-    for (const auto& [name, seen] : features) {
-      if (seen.to_blame == 0 || ++count > most) continue;
+    for (const auto* const feature : failing) {
+      if (++count > most) continue;
+      const Judged& seen = feature->second;
       const std::string cases =
           text.empty() ? counted(seen.cases, "case", "cases") : grouped(seen.cases);
-      text += fmt::format("{}{}{}{} {} of {}", text.empty() ? "" : ", ", name, place,
+      text += fmt::format("{}{}{}{} {} of {}", text.empty() ? "" : ", ", feature->first, place,
                           text.empty() ? " fails" : "", grouped(seen.no_go), cases);
       place.clear();
     }
@@ -220,7 +238,7 @@ std::string RunScope::counts() const {
   return text;
 }
 
-std::string RunScope::skips() const {
+std::string RunScope::skips(std::size_t most) const {
   std::string text;
   if (!broken_.empty()) {
     std::map<std::pair<std::string, std::string>, std::size_t> places;
@@ -243,7 +261,7 @@ std::string RunScope::skips() const {
   std::ranges::sort(names, NaturalOrder());
   text += "; not claimed: ";
   if (lacking > 0) {
-    text += fmt::format("{} ({})", fmt::join(names, ", "), counted(lacking, "case", "cases"));
+    text += fmt::format("{} ({})", folded(names, most), counted(lacking, "case", "cases"));
   }
   if (all_.skipped > lacking) {
     text += fmt::format("{}{}{}", lacking > 0 ? ", and " : "",
@@ -254,19 +272,18 @@ std::string RunScope::skips() const {
 }
 
 // J-RUN-01.
-std::string RunScope::head(std::string_view decision) const {
-  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-  const std::string go = go_features(kAll);
+std::string RunScope::head(std::string_view decision, std::size_t most) const {
+  const std::string go = go_features(most, Fold::first);
   std::string text(decision);
   if (decision == kNoGo) {
     text += ": ";
-    if (const std::string failing = failing_features(kAll); !failing.empty())
+    if (const std::string failing = failing_features(most); !failing.empty())
       text += failing + "; ";
     if (!go.empty()) text += "GO: " + go + "; ";
   } else {
     text += (go.empty() ? "" : " for " + go) + ": ";
   }
-  return text + counts() + skips() + hardly_judged();
+  return text + counts() + skips(most) + hardly_judged();
 }
 
 std::string RunScope::short_head(std::string_view decision) const {
@@ -274,7 +291,7 @@ std::string RunScope::short_head(std::string_view decision) const {
   constexpr std::size_t kMostNames = 4;
   std::string text(decision);
   const std::string features =
-      decision == kNoGo ? failing_features(kMostNames) : go_features(kMostNames);
+      decision == kNoGo ? failing_features(kMostNames) : go_features(kMostNames, Fold::number);
   if (!features.empty()) text.append(kDot).append(features);
   text.append(kDot).append(score());
   if (all_.advised > 0) text += ", " + counted(all_.advised, "advice", "advices");

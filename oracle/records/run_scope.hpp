@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -64,6 +66,8 @@ class RunScope {
     bool is_go() const { return is_judged() && no_go == 0; }
   };
 
+  static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+
   // What became of cases; each is counted once.
   struct Counts {
     std::size_t go = 0;
@@ -83,8 +87,8 @@ class RunScope {
 
   // "GO for basic, g94 of gsk988ta: 156 judged, 3 advices; not claimed: g90, g92 (5,085 cases)";
   // "NO-GO: g94 of gsk988ta fails 252 of 878 cases; GO: basic of gsk988ta; 593 of 865 judged are
-  // GO"
-  std::string head(std::string_view decision) const;
+  // GO". `most`: names of features of a dialect; the others are counted.
+  std::string head(std::string_view decision, std::size_t most = kAll) const;
   // The same in less room: "GO · basic, g94 of gsk988ta · 156 judged, 5,085 not claimed".
   std::string short_head(std::string_view decision) const;
 
@@ -109,12 +113,13 @@ class RunScope {
 
  private:
   void count_features(const CaseHead& line, VerdictKind kind);
-  std::string go_features(std::size_t most) const;
+  enum class Fold : std::uint8_t { first, number };  // of too many names
+  std::string go_features(std::size_t most, Fold fold) const;
   std::string failing_features(std::size_t most) const;
   std::string score() const;
   std::string hardly_judged() const;
   std::string counts() const;
-  std::string skips() const;
+  std::string skips(std::size_t most) const;
 
   Counts all_;
   std::set<std::string> dialects_;

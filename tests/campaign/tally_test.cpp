@@ -107,6 +107,25 @@ TEST(Tally, ANoGoSaysWhatFailedAndWhatDidNot) {
             "are GO");
 }
 
+// The feature that fails most stands first, and a line for a terminal names but a few.
+TEST(Tally, TheHeadLineBeginsWithWhatFailsMostAndFoldsLongLists) {
+  std::vector<CaseFacts> cases;
+  for (int i = 0; i < 11; ++i) {
+    const std::string feature = fmt::format("g{}", 80 + i);
+    cases.push_back(of_feature(fmt::format("a{:02}", i), VerdictKind::pass_exact, feature));
+  }
+  cases.push_back(of_feature("b", VerdictKind::fail_feed, "arc"));
+  cases.push_back(of_feature("c", VerdictKind::fail_geometry, "g110"));
+  cases.push_back(of_feature("d", VerdictKind::fail_geometry, "g110"));
+  const RunAnswer no_go = answer(cases);
+  const std::string failing =
+      "NO-GO: g110 of gsk988ta fails 2 of 2 cases, arc 1 of 1; GO: g80, g81, g82, g83, g84, g85, "
+      "g86, g87";
+  EXPECT_EQ(no_go.head, failing + ", g88, g89, g90 of gsk988ta; 11 of 14 judged are GO");
+  EXPECT_EQ(no_go.folded_head,
+            failing + " and 3 more features of gsk988ta; 11 of 14 judged are GO");
+}
+
 // Nearly every case needs basic: it is to blame where nothing else can be, and GO only without a
 // NO-GO.
 TEST(Tally, BasicIsToBlameWhereACaseNeedsNothingElse) {

@@ -61,7 +61,9 @@ TEST(RoundingCensus, TellsHowManyIncrementsOff) {
   const RoundingCensus census = census_of({{"0.3353", "0.333"}, {"1", "1"}});
   EXPECT_EQ(census.rounded().increments_off(), 3);
   EXPECT_TRUE(census.rounded().modes().empty());
-  EXPECT_EQ(census.text(), "1 exact, 1 off; on a grid of 0.001 mm, within 3 of it, by no one mode");
+  EXPECT_EQ(census.text(),
+            "1 exact, 1 off; on a grid of 0.001 mm, at most 3 of its steps away, by no one way of "
+            "rounding");
 }
 
 // The root of 2 is 1.41421..., the root of 3 is 1.73205...
@@ -71,7 +73,8 @@ TEST(RoundingCensus, TakesRoots) {
   census.take(Number::root(0, 1, 3), decimal("1.732"), true);
   census.take(Number::root(0, -1, 2), decimal("-1.414"), true);
   EXPECT_EQ(census.text(),
-            "0 exact, 3 correctly rounded; on a grid of 0.001 mm, within 1 of it, nearest or "
+            "0 exact, 3 correctly rounded; on a grid of 0.001 mm, at most 1 of its steps away, "
+            "nearest or "
             "toward zero");
 }
 
@@ -94,7 +97,8 @@ TEST(RoundingCensus, TellsWhereHalvesGo) {
   // No half: every rule says the same.
   EXPECT_EQ(census_of({{"1/3", "0.333"}}).rounded().halves().size(), kHalvesRules);
   EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.063"}}).text(),
-            "0 exact, 2 correctly rounded; on a grid of 0.001 mm, within 1 of it, nearest with "
+            "0 exact, 2 correctly rounded; on a grid of 0.001 mm, at most 1 of its steps away, "
+            "nearest with "
             "halves away from zero or away from zero");
 }
 
@@ -145,8 +149,10 @@ TEST(RoundingCensus, IsTheSumOfItsParts) {
 // Correctly rounded to 0.001; 0.3353 as 0.334 is off by 1.3 of it, down. No mode fits both.
 TEST(RoundingCensus, TellsBothKindsWhereNoModeFitsBoth) {
   EXPECT_EQ(census_of({{"1", "1"}, {"2/3", "0.667"}, {"0.3353", "0.334"}}).text(),
-            "1 exact; 1 correctly rounded, on a grid of 0.001 mm, within 1 of it, nearest or away "
-            "from zero or up; 1 off, on a grid of 0.001 mm, within 2 of it, by no one mode");
+            "1 exact; 1 correctly rounded, on a grid of 0.001 mm, at most 1 of its steps away, "
+            "nearest or away "
+            "from zero or up; 1 off, on a grid of 0.001 mm, at most 2 of its steps away, by no one "
+            "way of rounding");
 }
 
 TEST(RoundingCensus, RefusesWhatIsNone) {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "publish/evidence/causes.hpp"
 #include "oracle/records/cycle_table.hpp"
 #include "oracle/records/finding_text.hpp"
+#include "publish/evidence/causes.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -127,6 +127,9 @@ TEST(FindingText, steps_are_told_as_people_write_them) {
   EXPECT_EQ(short_step(R"({"k":"alarm","b":3,"any_of":["syntax","not-an-integer"]})"),
             "alarm syntax or not-an-integer in line 3");
   EXPECT_EQ(short_step("end"), "end");
+  EXPECT_EQ(short_step(R"({"k":"level","b":2,"plane":"G17","centre":{"x":"10","y":"5","z":"-2"},)"
+                       R"("pocket_radius":"6","step":"4","f":"200","rot":"-","clause":"GSK-1"})"),
+            "a layer in G17 about X10 Y5 Z-2 pocket radius 6 step 4 F200 clockwise");
   EXPECT_EQ(want_and_got("", ""), "");
 }
 
@@ -171,6 +174,17 @@ TEST(FindingText, has_what_the_case_is_about_its_machine_the_block_both_steps_an
             "  again      gonogo certify --case a\n");
 }
 
+TEST(FindingText, a_deviation_is_told_exactly_where_that_is_short) {
+  FindingFacts facts;
+  facts.deviation_mm = "0.333333333";
+  facts.deviation_exact = "1/3";
+  EXPECT_EQ(deviation_text(facts), "0.333333333 mm (exactly 1/3)");
+  facts.deviation_exact = "1000000000000001/3000000000000001";
+  EXPECT_EQ(deviation_text(facts), "0.333333333 mm");
+  facts.deviation_exact = R"({"root":["6","-0.001","30254578"]})";
+  EXPECT_EQ(deviation_text(facts), "0.333333333 mm");
+}
+
 TEST(FindingText, the_block_that_departs_is_marked) {
   EXPECT_EQ(marked_blocks("G0 X1\r\nG94 X2\nM30\nM2\n", 2),
             "1 | G0 X1\n2 | G94 X2\n  | ^^^^^^\n3 | M30\n");
@@ -201,19 +215,38 @@ TEST(CycleTable, counts_every_case_once_and_shows_first_what_fails) {
   add("g112", VerdictKind::skip);
   const CycleTable table = cycle_table(scope);
   ASSERT_EQ(table.rows.size(), 2U);
+  const std::string counting =
+      "  The table counts a case once; the first line counts it for each feature it needs.\n";
   EXPECT_EQ(table.text(20),
             "  cycle  judged      GO   NO-GO  not covered\n"
             "  g94         2       1       1            1\n"
             "  g90         1       1       0            0\n"
-            "  nothing judged: g112 1\n");
+            "  nothing judged: g112 1\n" +
+                counting);
   EXPECT_EQ(table.text(1),
             "  cycle  judged      GO   NO-GO  not covered\n"
             "  g94         2       1       1            1\n"
             "  and 1 more\n"
-            "  nothing judged: g112 1\n");
+            "  nothing judged: g112 1\n" +
+                counting);
   EXPECT_EQ(scope.judged() + scope.skipped() + scope.undecided() + scope.known() + scope.advised() +
                 scope.not_covered(),
             5U);
+}
+
+// By gravity a feed of G90 comes behind a path of G94; by cycle it comes before.
+TEST(Findings, are_told_by_gravity_or_by_cycle) {
+  Findings findings;
+  const auto add = [&](const char* id, const char* cycle, VerdictKind kind) {
+    CaseHead head = departing(id, "GSK-1", 1, "", "");
+    head.cycle = cycle;
+    head.verdict = name(kind);
+    findings.add(head, kind);
+  };
+  add("b", "g94", VerdictKind::fail_geometry);
+  add("a", "g90", VerdictKind::fail_feed);
+  EXPECT_EQ(findings.list().front()->cycle(), "g94");
+  EXPECT_EQ(findings.list(Findings::Order::cycle).front()->cycle(), "g90");
 }
 
 TEST(Causes, are_kept_beside_the_results_and_gone_with_the_next_run) {
