@@ -29,6 +29,7 @@ struct CertifyOptions {
   long fresh = -1;  // programs of a dialect beside the corpus; less than 0: as many as were judged
   long jobs = 0;
   long causes = 3;
+  std::string order = "gravity";  // of the findings
   bool fail_fast = false;
   bool resume = false;
   std::string known_failures;

@@ -6,9 +6,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
+#include "corpus/io/corpus.hpp"
 #include "fuzz/hunt/finding_files.hpp"
 #include "fuzz/hunt/reach.hpp"
-#include "corpus/io/corpus.hpp"
 #include "oracle/records/output_file.hpp"
 
 namespace gonogo::cli {
@@ -52,7 +52,7 @@ int ci_coverage(const CiWords& asked) {
   if (!words.out.empty()) oracle::write_file(words.out, reach.json(words.trial.subject));
   Output output;
   output.text() = reach.text();
-  output.flush();
+  output.tell();
   return reach.programs().judged == 0 ? kUndecided : kGo;
 }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <sstream>
 #include <utility>
 
 #include "cli/exit_code.hpp"
@@ -20,6 +24,29 @@ const CLI::Validator& not_empty() {
       },
       "");
   return kNotEmpty;
+}
+
+// A whole number from low to high.
+CLI::Validator whole_number(long low, long high) {
+  return {[low, high](const std::string& word) -> std::string {
+            long value = 0;
+            const char* const end = word.data() + word.size();
+            const auto [last, error] = std::from_chars(word.data(), end, value);
+            if (error == std::errc() && last == end && value >= low && value <= high) return {};
+            return fmt::format("{} is no whole number from {} to {}.", word, low, high);
+          },
+          fmt::format("INT in [{} - {}]", low, high)};
+}
+
+// The type says the words, which a completion needs: {a,b}.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return {[words](const std::string& word) -> std::string {
+            if (std::ranges::find(words, word) != words.end()) return {};
+            return fmt::format("{} is none of its words. {}Write {}.", word,
+                               reference::did_you_mean(reference::nearest_word(word, words)),
+                               fmt::join(words, ", "));
+          },
+          fmt::format("{{{}}}", fmt::join(words, ","))};
 }
 
 }  // namespace
@@ -82,13 +109,13 @@ Command& Command::repeated_option(const std::string& name, std::vector<std::stri
 
 Command& Command::choice(const std::string& name, std::string& value,
                          const std::vector<std::string>& of, const std::string& text) {
-  app_->add_option(name, value, text)->check(CLI::IsMember(of));
+  app_->add_option(name, value, text)->check(one_of(of));
   return *this;
 }
 
 Command& Command::number(const std::string& name, long& value, long low, long high,
                          const std::string& text) {
-  app_->add_option(name, value, text)->check(CLI::Range(low, high));
+  app_->add_option(name, value, text)->check(whole_number(low, high));
   return *this;
 }
 
@@ -180,28 +207,49 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
          known + ".\n";
 }
 
-// "Did you mean --dialect?" for each option that the command does not have.
-std::string suggestions(const CLI::App& app, int argc, char** argv) {
+// The command that the words name, down to the last of its commands.
+const CLI::App& named_command(const CLI::App& app) {
   const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  return *command;
+}
+
+// "gonogo ci batch"
+std::string name_of(const CLI::App& command) {
+  const CLI::App* const parent = command.get_parent();
+  return (parent == nullptr ? "" : name_of(*parent) + " ") + command.get_name();
+}
+
+// What of the words the command does not take. A word behind an unknown option is its value.
+std::string unknown_words(const CLI::App& command, const std::vector<std::string>& words) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
   std::string text;
-  for (int i = 1; i < argc; ++i) {
-    std::string word = argv[i];
-    if (!word.starts_with("--")) {
-      for (const CLI::App* own : command->get_subcommands([](const CLI::App*) { return true; })) {
-        if (own->get_name() == word) command = own;
-      }
-      continue;
+  bool is_value = false;
+  for (const std::string& word : words) {
+    const std::string option = word.substr(0, word.find('='));
+    if (word.starts_with("-")) {
+      text += fmt::format("There is no option {} of {}. {}\n", option, name_of(command),
+                          reference::did_you_mean(reference::nearest_word(option, known)));
+    } else if (!is_value) {
+      text += fmt::format("The word {} is one too many for {}.\n", word, name_of(command));
     }
-    word = word.substr(0, word.find('='));
-    std::vector<std::string> known;
-    for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-    }
-    if (std::ranges::find(known, word) != known.end()) continue;
-    const std::string near = reference::nearest_word(word, known);
-    if (!near.empty()) text += "There is no " + word + ". Did you mean " + near + "?\n";
+    is_value = word.starts_with("-") && option == word;
   }
   return text;
+}
+
+// The mistake in words of the gauge, not in those of the library.
+std::string problem_of(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = named_command(app);
+  std::string text;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    text = unknown_words(command, app.remaining(true));
+  }
+  if (text.empty()) text = fmt::format("{}\n", error.what());
+  return fmt::format("{}`{} --help` says what it takes.\n", text, name_of(command));
 }
 
 }  // namespace
@@ -215,10 +263,16 @@ int CommandLine::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app_->exit(error);
-    if (code == 0) return kGo;
-    complain("{}", suggestions(*app_, argc, argv));
-    return kWrongUse;
+    if (error.get_exit_code() != 0) {
+      complain("gonogo: {}", problem_of(*app_, error));
+      return kWrongUse;
+    }
+    std::ostringstream shown;  // --help and --version
+    app_->exit(error, shown, shown);
+    Output output;
+    output.text() = shown.str();
+    output.tell();
+    return kGo;
   }
   return exit_code_;
 }

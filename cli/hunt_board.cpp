@@ -2,7 +2,6 @@
 #include "cli/hunt_board.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 
 #include "cli/hunt_causes.hpp"
 #include "cli/output.hpp"
+#include "cli/terminal.hpp"
 #include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
@@ -19,12 +19,6 @@ namespace {
 std::string clock_text(double seconds) {
   const auto whole = static_cast<long>(seconds);
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
-std::size_t columns_of_terminal() {
-  winsize size{};
-  const bool is_known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return is_known ? size.ws_col : 80;
 }
 
 }  // namespace
@@ -84,7 +78,7 @@ void HuntBoard::tell(const hunt::Finding& finding, const std::string& folder,
   output.text() =
       fmt::format("{}. {}  {}\n{}\n", findings_, finding.signature.text(), id,
                   finding_text(finding, reduce_command(folder + "/findings/" + id, words_.trial)));
-  output.flush();
+  output.tell();
 }
 
 bool HuntBoard::take_one(std::size_t job, const hunt::Hunt& hunt) {
@@ -145,7 +139,7 @@ void HuntBoard::show() {
   shown_ = Clock::now();
   const std::string title = fmt::format("{}, {} in {}", oracle::visible(words_.trial.subject),
                                         words_.dialect, oracle::visible(words_.campaign));
-  const auto lines = board_lines(title, standing(), columns_of_terminal() - 1);
+  const auto lines = board_lines(title, standing(), columns_of_terminal(STDERR_FILENO) - 1);
   std::string text = lines_ == 0 ? std::string() : fmt::format("\033[{}A", lines_);
   for (const std::string& line : lines) text += line + "\033[K\n";
   draw("{}", text);

@@ -78,7 +78,15 @@ Asked symptoms_to_ask(const std::string& folder, const hunt::HuntSummary& summar
   return asked;
 }
 
-// Programs that showed something new, spread evenly over all shards.
+// At most so many, spread evenly.
+std::vector<ProgramAsked> spread(std::vector<ProgramAsked> all) {
+  std::vector<ProgramAsked> some;
+  const std::size_t count = std::min(kMostOthers, all.size());
+  for (std::size_t i = 0; i < count; ++i) some.push_back(std::move(all[i * all.size() / count]));
+  return some;
+}
+
+// Programs that showed something new, from all shards.
 std::vector<ProgramAsked> other_programs(const std::string& folder) {
   std::vector<ProgramAsked> all;
   for (const std::string& shard : hunt::shards_of(folder)) {
@@ -88,20 +96,16 @@ std::vector<ProgramAsked> other_programs(const std::string& folder) {
                      program.profile});
     }
   }
-  std::vector<ProgramAsked> spread;
-  const std::size_t count = std::min(kMostOthers, all.size());
-  for (std::size_t i = 0; i < count; ++i) spread.push_back(std::move(all[i * all.size() / count]));
-  return spread;
+  return spread(std::move(all));
 }
 
-hunt::Causes ask_causes(const std::string& folder, const TrialWords& words,
-                        const hunt::HuntSummary& summary) {
+hunt::Causes causes_of(const Asked& asked, const std::vector<ProgramAsked>& others,
+                       const TrialWords& words) {
   hunt::Causes causes;
-  const Asked asked = symptoms_to_ask(folder, summary);
   if (asked.programs.empty()) return causes;
   const std::unique_ptr<oracle::Subject> subject = subject_to_ask(words);
   const identify::SharedCauses found =
-      find_shared_causes(*subject, asked.programs, other_programs(folder), terms_of(words));
+      find_shared_causes(*subject, asked.programs, others, terms_of(words));
   for (const identify::SharedCause& cause : found.causes) {
     for (const std::size_t symptom : cause.symptoms) causes[asked.signatures[symptom]] = cause.name;
   }
@@ -118,7 +122,8 @@ hunt::Causes causes_of(const std::string& folder, const TrialWords& words,
   });
   if (!is_news) return known.causes;
   try {
-    hunt::Causes causes = ask_causes(folder, words, summary);
+    hunt::Causes causes =
+        causes_of(symptoms_to_ask(folder, summary), other_programs(folder), words);
     // What was mended is not asked again.
     for (const hunt::CampaignFinding& finding : summary.findings) {
       for (const hunt::Symptom& symptom : finding.symptoms) {
@@ -141,6 +146,35 @@ hunt::HuntSummary tell_campaign(const std::string& folder, const TrialWords& wor
   write_campaign_summary(folder, summary);
   write_campaign_page(folder, summary);
   return summary;
+}
+
+std::string list_findings(const std::vector<hunt::Finding>& findings, const hunt::Pool& pool,
+                          const TrialWords& words) {
+  hunt::HuntSummary summary;
+  Asked asked;
+  for (const hunt::Finding& finding : findings) {
+    hunt::Symptom symptom;
+    symptom.signature = finding.signature;
+    symptom.folder = fmt::format("finding {}", summary.findings.size() + 1);
+    symptom.programs = 1;
+    summary.findings.push_back({{}, {std::move(symptom)}});
+    if (!may_have_cause(finding.signature) || !finding.reproducer.before.empty()) continue;
+    const generate::GeneratedProgram& program = finding.reproducer.program;
+    asked.signatures.push_back(finding.signature);
+    asked.programs.push_back({"finding", program.text, program.profile});
+  }
+  std::vector<ProgramAsked> others;
+  for (generate::GeneratedProgram& program : pool.programs()) {
+    others.push_back({"tried", std::move(program.text), program.profile});
+  }
+  hunt::Causes causes;
+  try {
+    causes = causes_of(asked, spread(std::move(others)), words);
+  } catch (const oracle::SubjectUnusable&) {
+    // The findings stand; what they come from is a courtesy.
+  }
+  group_findings(summary, causes);
+  return finding_list_text(summary);
 }
 
 KnownMistakes::KnownMistakes(const std::string& folder, TrialWords words)

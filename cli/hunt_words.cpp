@@ -139,7 +139,7 @@ void know_failures(const HuntWords& words, hunt::HuntOptions& options) {
   Output output;
   output.text() = fmt::format("{}: {} departures that are known are no news\n",
                               words.known_failures, options.known.size());
-  output.flush();
+  output.tell();
 }
 
 bool judged_little(const hunt::HuntCount& count) {

@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "cli/terminal.hpp"
+
 namespace gonogo::cli {
 
 void Output::flush() {
@@ -23,6 +25,11 @@ void Output::flush() {
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
   text_.clear();
+}
+
+void Output::tell() {
+  if (::isatty(descriptor_) == 1) text_ = wrapped(text_, columns_of_terminal(descriptor_));
+  flush();
 }
 
 }  // namespace gonogo::cli

@@ -35,7 +35,8 @@ void complain(fmt::format_string<Values...> text, Values&&... values) {
   std::fwrite(words.data(), 1, words.size(), stderr);
 }
 
-// The same for what moves the cursor of a terminal: texts of others in it must be visible() already.
+// The same for what moves the cursor of a terminal: texts of others in it must be visible()
+// already.
 template <typename... Values>
 void draw(fmt::format_string<Values...> text, Values&&... values) {
   fmt::print(stderr, text, std::forward<Values>(values)...);
@@ -52,6 +53,8 @@ class Output {
   }
   // Throws OutputError.
   void flush();
+  // The same for people: at a terminal in lines that fit it.
+  void tell();
 
  private:
   static constexpr std::size_t kChunk = std::size_t{1} << 16;

@@ -47,7 +47,7 @@ void tell_run(const FinishedRun& run) try {
   } catch (const std::exception&) {
     unwritten = std::current_exception();
   }
-  output.flush();
+  output.tell();
   if (unwritten) std::rethrow_exception(unwritten);
 } catch (const std::exception& error) {
   if (run.exit_code != kNoGo) throw;

@@ -89,6 +89,8 @@ namespace {
 
 constexpr std::size_t kShownIds = 3;
 constexpr std::size_t kShownCycles = 20;
+constexpr std::size_t kShownReasons = 5;    // for which a subject skips cases
+constexpr std::size_t kMostOfReason = 100;  // bytes
 
 // The advices by what they are about.
 std::string advices_text(const oracle::RunScope& scope) {
@@ -112,19 +114,26 @@ std::string advices_text(const oracle::RunScope& scope) {
 
 namespace {
 
-// The cycles with their cases, those with most first.
-std::string cycles_text(const oracle::Finding& finding) {
-  std::vector<std::pair<std::string, std::size_t>> cycles(finding.by_cycle.begin(),
-                                                          finding.by_cycle.end());
+using Numbers = std::map<std::string, std::size_t, oracle::NaturalOrder>;
+
+// "g94 252, g90 12": those with most cases first; of more than `most` the number of the others.
+std::string numbers_text(const Numbers& numbers, std::size_t most) {
+  std::vector<std::pair<std::string, std::size_t>> ordered(numbers.begin(), numbers.end());
   // By name where the numbers are the same; std::stable_sort warns under clang-19.
-  std::ranges::sort(cycles, [](const auto& a, const auto& b) {
-    return a.second != b.second ? a.second > b.second : a.first < b.first;
+  std::ranges::sort(ordered, [](const auto& a, const auto& b) {
+    return a.second != b.second ? a.second > b.second : oracle::NaturalOrder()(a.first, b.first);
   });
   std::string text;
-  for (const auto& [cycle, cases] : cycles) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", cycle, oracle::grouped(cases));
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < ordered.size(); ++i) {
+    const auto& [name, cases] = ordered[i];
+    if (i < most) {
+      text += fmt::format("{}{} {}", i == 0 ? "" : ", ", name, oracle::grouped(cases));
+    } else {
+      others += cases;
+    }
   }
-  return text;
+  return others == 0 ? text : text + ", other reasons " + oracle::grouped(others);
 }
 
 std::string finding_head(const oracle::Finding& finding) {
@@ -139,7 +148,9 @@ std::string told_finding(const oracle::Finding& finding, const oracle::FindingFa
   std::string text = in_tone(finding_head(finding), Tone::strong, colour) + "\n";
   if (smallest != nullptr) text += oracle::finding_text(*smallest, "  ");
   if (finding.cases == 1) return text + "\n";
-  text += fmt::format("  {:<10} {}\n", "cases of", cycles_text(finding));
+  text += fmt::format(
+      "  {:<10} {}\n", "cases of",
+      numbers_text({finding.by_cycle.begin(), finding.by_cycle.end()}, oracle::RunScope::kAll));
   std::vector<std::string> others;
   for (const std::string& id : finding.first) {
     if (id != finding.smallest.id && others.size() < kShownIds) others.push_back(id);
@@ -154,7 +165,7 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
   std::string cause;
   std::size_t shown = 0;
   std::size_t explained = 0;
-  for (const oracle::Finding* finding : summary.findings.list()) {
+  for (const oracle::Finding* finding : summary.findings.list(summary.order)) {
     if (!finding->cause.empty() && finding->cause.name != cause) {
       text += in_tone(finding->cause.text(), Tone::unsure, colour) + "\n";
     }
@@ -182,23 +193,23 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
 std::string not_claimed_text(const oracle::RunScope& scope) {
   struct Skips {
     std::size_t cases = 0;
-    std::map<std::string, std::size_t, oracle::NaturalOrder> features;
+    Numbers features;
+    Numbers reasons;  // of the subject's own
   };
   std::map<std::string, Skips> by_dialect;
   for (const auto& [key, group] : scope.not_claimed()) {
     Skips& skips = by_dialect[key.dialect];
     skips.cases += group.cases;
-    skips.features[key.feature.empty() ? "other reasons" : key.feature] += group.cases;
+    (key.feature.empty() ? skips.reasons[oracle::excerpt(key.message, kMostOfReason)]
+                         : skips.features[key.feature]) += group.cases;
   }
   std::string text;
   for (const auto& [dialect, skips] : by_dialect) {
-    std::string features;
-    for (const auto& [feature, cases] : skips.features) {
-      features +=
-          fmt::format("{}{} {}", features.empty() ? "" : ", ", feature, oracle::grouped(cases));
-    }
-    text += fmt::format("  not claimed of {}: {} ({})\n", dialect,
-                        oracle::counted(skips.cases, "case", "cases"), features);
+    const std::string reasons = numbers_text(skips.reasons, kShownReasons);
+    text += fmt::format("  not claimed of {}: {} ({}{}{})\n", dialect,
+                        oracle::counted(skips.cases, "case", "cases"),
+                        numbers_text(skips.features, oracle::RunScope::kAll),
+                        skips.features.empty() || reasons.empty() ? "" : "; ", reasons);
   }
   return text;
 }
@@ -239,7 +250,7 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
   } else if (summary.answer.no_go == 0 && !summary.answer.scope.claims_every_dialect()) {
     text += "  There is a dialect of which no feature was judged for the most part.\n";
   }
-  text += in_tone(summary.answer.head, tone_of(summary.answer.decision), colour) + "\n";
+  text += in_tone(summary.answer.folded_head, tone_of(summary.answer.decision), colour) + "\n";
   return text + oracle::cycle_table(summary.answer.scope).text(kShownCycles);
 }
 

@@ -31,6 +31,7 @@ struct CampaignSummary {
   std::size_t causes_asked = 0;  // findings of which a cause was looked for
   std::size_t run_again = 0;     // cases that took more than two runs
   std::size_t further_runs = 0;  // that they took beside two
+  oracle::Findings::Order order = oracle::Findings::Order::gravity;
   bool complete = true;          // not stopped at the first NO-GO
 };
 // Findings that are shown with their evidence; of the others a line each.

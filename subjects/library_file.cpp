@@ -48,7 +48,8 @@ std::string library_path(const std::string& path) {
   const std::string absolute = fs::absolute(path, error).lexically_normal().string();
   if (error || !fs::is_regular_file(absolute, error)) {
     throw SubjectUnusable(fmt::format(
-        "There is no library {}. Name the file of a shared library: lib:PATH.so.", path));
+        "There is no library {}. Name the file of a shared library by its path, as lib:./acme.so.",
+        path));
   }
   if (access(absolute.c_str(), R_OK) != 0) {
     throw SubjectUnusable(

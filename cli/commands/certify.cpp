@@ -352,18 +352,33 @@ void check_vectors(const CertifyOptions& options) {
   }
 }
 
-// A name of a cycle that is none selects nothing, and says so before anything runs.
+// Throws UsageError with the first name that is not among those known.
+void need_known(const std::vector<std::string>& names, const std::set<std::string>& known,
+                std::string_view what, std::string_view command) {
+  for (const std::string& name : names) {
+    if (known.contains(name)) continue;
+    throw UsageError(fmt::format(
+        "The corpus has no {} {}. {}`gonogo corpus {}` names them.", what, name,
+        reference::did_you_mean(reference::nearest_word(name, {known.begin(), known.end()})),
+        command));
+  }
+}
+
+// A cycle that the corpus has not selects nothing, and says so before anything runs.
 void check_cycles(const CertifyOptions& options, const oracle::Corpus& corpus) {
   if (options.cycles.empty()) return;
   std::set<std::string> known;
   oracle::CaseReader reader(corpus, oracle::Detail::to_run);
   while (const auto test = reader.next()) known.insert(test->cycle);
-  for (const std::string& cycle : options.cycles) {
-    if (known.contains(cycle)) continue;
-    throw UsageError(fmt::format(
-        "The corpus has no cycle {}. {}`gonogo corpus cycles` names them.", cycle,
-        reference::did_you_mean(reference::nearest_word(cycle, {known.begin(), known.end()}))));
-  }
+  need_known(options.cycles, known, "cycle", "cycles");
+}
+
+// The same of cases, which are looked up only where fewer ran than were named.
+void check_cases(const std::vector<std::string>& cases, const oracle::Corpus& corpus) {
+  std::set<std::string> known;
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  while (const auto test = reader.next()) known.insert(test->id);
+  need_known(cases, known, "case", "list");
 }
 
 struct Ended {
@@ -385,10 +400,12 @@ Ended run_all(const CertifyOptions& options, const oracle::Corpus& corpus,
   return ended;
 }
 
-// A shard may have none.
+// A shard may have none, and not all that are named.
 void need_cases(const CampaignSummary& summary, const oracle::CampaignOptions& campaign,
                 const oracle::Corpus& corpus) {
-  if (summary.answer.cases > 0 || campaign.shards > 1) return;
+  if (campaign.shards > 1) return;
+  if (summary.answer.cases < campaign.cases.size()) check_cases(campaign.cases, corpus);
+  if (summary.answer.cases > 0) return;
   throw UsageError(
       fmt::format("No case of the corpus {} is selected. `gonogo corpus list` names the cases.",
                   corpus.folder()));
@@ -435,6 +452,7 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
     const Ended ended = run_all(options, corpus, campaign, maker, subject, report, *results);
     summary = close_results(campaign, ended.end, ended.fresh, *results,
                             info.recorded ? &captured : nullptr, known ? &*known : nullptr);
+    if (options.order == "cycle") summary.order = oracle::Findings::Order::cycle;
     describe_smallest(corpus, header, summary);
     name_causes(options, corpus, campaign, maker, subject, report, summary);
   } catch (const oracle::CorpusError& error) {
@@ -649,6 +667,8 @@ void add_certify(Command& program) {
   command.number("--jobs", options->jobs, 1, 256, "subjects that run at the same time");
   command.number("--causes", options->causes, 0, 1000,
                  "findings of which the likely cause is looked for (3)");
+  command.choice("--order", options->order, {"gravity", "cycle"},
+                 "the order in which findings are told (gravity)");
   command.option("--known-failures", options->known_failures,
                  "TOML file of cases that the subject is known to fail");
   command.option("--write-known-failures", options->write_known_failures,

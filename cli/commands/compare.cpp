@@ -68,7 +68,11 @@ int compare(const CompareOptions& options) {
   }
   Output output;
   output.text() = comparison.text;
-  output.flush();
+  if (options.format == "text") {
+    output.tell();
+  } else {
+    output.flush();
+  }
   return comparison.regression ? kNoGo : kGo;
 }
 

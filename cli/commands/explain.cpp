@@ -155,11 +155,11 @@ int explain(const ExplainOptions& options) {
     } else if (auto* renaming = std::get_if<reference::Renaming>(item)) {
       time.rename(renaming->shift);
     } else if (auto* alarms = std::get_if<reference::AlarmReport>(item)) {
-      output.flush();
+      output.tell();
       report_alarms(*alarms, options.program, expander.failed_line());
       exit_code = kNoGo;
     } else if (auto* outside = std::get_if<reference::NotCovered>(item)) {
-      output.flush();
+      output.tell();
       report_not_covered(*outside, options.program, expander.failed_line());
       exit_code = kUndecided;
     }
@@ -170,7 +170,7 @@ int explain(const ExplainOptions& options) {
                     numbered.line(static_cast<std::uint64_t>(options.block)).value_or(""));
   }
   output.text() += times_of(time);
-  output.flush();
+  output.tell();
   return exit_code;
 }
 

@@ -78,7 +78,7 @@ int tell_finding(const HuntWords& words, hunt::Trial& trial, hunt::Finding& find
   Output output;
   output.text() = fmt::format("{}  {}\n{}", finding.signature.text(), folder,
                               finding_text(finding, reduce_command(folder, words.trial)));
-  output.flush();
+  output.tell();
   const bool is_ours = finding.verdict.kind == oracle::VerdictKind::oracle_error;
   return is_ours ? kUndecided : kNoGo;
 }
@@ -120,7 +120,7 @@ int fuzz_subject(HuntWords words) {
   if (::isatty(STDERR_FILENO) == 1) draw("\r\033[K");
   Output output;
   output.text() = fuzz_summary(words, end.count);
-  output.flush();
+  output.tell();
   std::optional<hunt::Finding> finding;
   if (end.kind != fuzz::FuzzEnd::Kind::nothing) finding = finding_in(trial, end);
   if (!finding) return tell_nothing(end, options);

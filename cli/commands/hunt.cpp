@@ -12,6 +12,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/hunt_causes.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
 #include "oracle/records/run_scope.hpp"
@@ -28,16 +29,15 @@ class HuntProgress {
   explicit HuntProgress(const HuntEnd& end) : end_(end), on_(::isatty(STDERR_FILENO) == 1) {}
   ~HuntProgress() { clear(); }
   void clear() const {
-    if (on_) complain("\r\033[K");
+    if (on_) draw("\r\033[K");
   }
   void show(const hunt::Hunt& hunt, std::size_t findings) {
     if (!on_ || Clock::now() - shown_ < std::chrono::milliseconds(100)) return;
     shown_ = Clock::now();
     const hunt::HuntCount& count = hunt.count();
-    complain("\r\033[K{} programs, {} % skipped, {} features, {} findings, about {:.0f} s left",
-             count.programs, count.skipped * 100 / std::max<std::size_t>(1, count.programs),
-             hunt.pool().features(), findings, end_.seconds_left(hunt.count().programs));
-    std::fflush(stderr);
+    draw("\r\033[K{} programs, {} % skipped, {} features, {} findings, about {:.0f} s left",
+         count.programs, count.skipped * 100 / std::max<std::size_t>(1, count.programs),
+         hunt.pool().features(), findings, end_.seconds_left(hunt.count().programs));
   }
 
  private:
@@ -59,6 +59,7 @@ struct HuntTally {
   std::size_t oracle_errors = 0;
   std::size_t known = 0;  // symptoms of what was known before
   bool complete = true;
+  std::vector<hunt::Finding> told;  // as they came
   std::size_t findings() const { return no_go + oracle_errors; }
 };
 
@@ -69,7 +70,7 @@ bool take_known(const HuntBefore& before, const hunt::Finding& finding, HuntTall
   ++tally.known;
   Output output;
   output.text() = fmt::format("known: {}, a new symptom of: {}\n", finding.signature.text(), cause);
-  output.flush();
+  output.tell();
   return true;
 }
 
@@ -85,7 +86,8 @@ void take(const HuntWords& words, const HuntBefore& before, hunt::Hunt& hunt,
   output.text() = fmt::format("{}. {}{}\n", tally.findings(), finding.signature.text(),
                               id.empty() ? "" : "  " + id);
   output.text() += finding_text(finding, again(words, finding, id)) + "\n";
-  output.flush();
+  output.tell();
+  tally.told.push_back(finding);
 }
 
 std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTally& tally) {
@@ -93,11 +95,12 @@ std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTa
   return fmt::format(
       "{}, {}: {} programs from seed {}, {} judged ({} with motion), {} skipped, {} undecided, {} "
       "too long{}; "
-      "{} features of the reference in {} programs; {} findings{}{}\n",
+      "{} features of the reference in {} programs; {}{}{}\n",
       words.trial.subject, words.dialect, count.programs, words.seed, count.judged, count.moved,
       count.skipped, count.gaps, count.too_long,
       count.outside == 0 ? "" : fmt::format(", {} departures outside the domain", count.outside),
-      hunt.pool().features(), hunt.pool().size(), tally.findings(),
+      hunt.pool().features(), hunt.pool().size(),
+      oracle::counted(tally.findings(), "finding", "findings"),
       tally.known == 0
           ? ""
           : ", " + oracle::counted(tally.known, "new symptom", "new symptoms") + " of known causes",
@@ -188,8 +191,12 @@ int hunt_programs(HuntWords words, const HuntBefore& before) {
     }
   }
   Output output;
-  output.text() = summary(words, hunt, tally) + skipped_text(hunt, words.dialect);
-  output.flush();
+  if (!tally.told.empty()) {
+    output.text() = "The findings by their causes, the gravest first:\n" +
+                    list_findings(tally.told, hunt.pool(), words.trial) + "\n";
+  }
+  output.text() += summary(words, hunt, tally) + skipped_text(hunt, words.dialect);
+  output.tell();
   if (tally.no_go > 0) return kNoGo;
   const bool undecided = tally.oracle_errors > 0 || !tally.complete || judged_little(hunt.count());
   return undecided ? kUndecided : kGo;

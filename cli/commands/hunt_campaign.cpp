@@ -115,7 +115,7 @@ int hunt_campaign(HuntWords words) {
       "{}\npage: {}/index.html\n",
       words.trial.subject, words.dialect, board.programs(), rounds_text(summary),
       summary.count.programs, summary.count.moved, findings_text(summary), words.campaign);
-  output.flush();
+  output.tell();
   if (board.failed()) return kUndecided;
   // What was printed of an interrupted round is not in the folder yet.
   if (has_news(summary, options.known) || board.findings() > 0) return kNoGo;

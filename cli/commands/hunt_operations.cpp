@@ -86,7 +86,7 @@ void report(const HuntWords& words, std::size_t number, const hunt::OperationFin
   Output output;
   output.text() = fmt::format("{}. {}\n{}", number, finding.signature(), text_of(finding));
   output.text() += fmt::format("  again: {} --programs {}\n\n", command_of(words), finding.number);
-  output.flush();
+  output.tell();
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ int hunt_operations(const HuntWords& words) {
       "compared; {} findings{}\n",
       fmt::join(hunt.ways(), "; "), count.lists, words.seed, count.programs, count.skipped,
       count.pairs, findings, complete ? "" : "; the hunt is incomplete");
-  output.flush();
+  output.tell();
   if (findings > 0) return kNoGo;
   return complete && count.programs > 0 ? kGo : kUndecided;
 }

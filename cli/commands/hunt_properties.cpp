@@ -69,7 +69,7 @@ void report(const HuntWords& words, std::size_t number, const hunt::PropertyFind
   Output output;
   output.text() = fmt::format("{}. {}\n{}", number, finding.signature(), text_of(finding));
   output.text() += fmt::format("  again: {} --programs {}\n\n", command_of(words), finding.number);
-  output.flush();
+  output.tell();
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ int hunt_properties(const HuntWords& words) {
       "{} findings{}\n",
       words.trial.subject, named.dialect, count.programs, words.seed, count.pairs, count.skipped,
       count.different, findings, complete ? "" : "; the hunt is incomplete");
-  output.flush();
+  output.tell();
   if (findings > 0) return kNoGo;
   return complete && count.pairs > 0 ? kGo : kUndecided;
 }

@@ -62,18 +62,18 @@ int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
   Output output;
   output.text() = identification_text(found, subject.info().name, dialect);
   if (!found.contradiction.empty()) {
-    output.flush();
+    output.tell();
     return kNoGo;
   }
   if (found.is_thin()) {
-    output.flush();
+    output.tell();
     return kUndecided;
   }
   if (!words.out.empty()) {
     oracle::write_file(words.out, identification_toml(found, machine));
     output.text() += fmt::format("The profile is in {}.\n", words.out);
   }
-  output.flush();
+  output.tell();
   return kGo;
 }
 
@@ -114,7 +114,7 @@ int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
       attribute(subject, corpus, asked_for(words, corpus, subject.info()), options);
   Output output;
   output.text() = attribution_text(attribution);
-  output.flush();
+  output.tell();
   if (attribution.departures == 0) return kUndecided;
   return attribution.complete.empty() ? kNoGo : kGo;
 }

@@ -136,7 +136,7 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
                                                    {records, alarms ? &seen.end.alarm : nullptr});
   Output output;
   output.text() = answer_text(answer) + not_compared_text(seen.features);
-  output.flush();
+  output.tell();
   oracle::Verdict verdict;
   verdict.kind = answer.kind;
   return exit_code_of(verdict);
@@ -201,7 +201,7 @@ int judge_subject(const JudgeOptions& options, const reference::Profile& profile
   if (!options.sheet.empty()) draw(options, profile, program, run.verdict, run.records);
   Output output;
   output.text() = told(options, profile, program, run.verdict);
-  output.flush();
+  output.tell();
   return exit_code_of(run.verdict);
 }
 
@@ -244,7 +244,7 @@ int judge(const JudgeOptions& options) {
                               : rounding_text(profile, program, trace,
                                               terms_for(trace.likely_features(), options, profile));
   }
-  output.flush();
+  output.tell();
   return exit_code_of(session.verdict);
 }
 

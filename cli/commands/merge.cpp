@@ -83,7 +83,7 @@ int merge(oracle::MergeOptions options, const std::string& corpus) {
   output.text() += outcome.written ? fmt::format("results: {}{}\n", options.out,
                                                  outcome.missing.empty() ? "" : " (incomplete)")
                                    : "Nothing is written; --partial writes what is there.\n";
-  output.flush();
+  output.tell();
   return outcome.missing.empty() ? outcome.answer.exit_code : kUndecided;
 }
 

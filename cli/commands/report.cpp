@@ -61,7 +61,7 @@ int report(ReportOptions options) {
     }
     output.text() += fmt::format("{}/STATEMENT.md\n", options.certificate);
   }
-  output.flush();
+  output.tell();
   return kGo;
 }
 
