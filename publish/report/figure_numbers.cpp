@@ -8,6 +8,7 @@
 
 #include "publish/report/figure.hpp"
 #include "publish/report/svg.hpp"
+#include "publish/report/text_room.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
@@ -47,67 +48,26 @@ Spot spot_at(const View& view, const std::vector<Point3>& points, double share) 
   return {view.place(points.back()), 1, 0};
 }
 
-double distance_to(const View& view, const std::vector<Point3>& points, SheetPoint from) {
-  double least = 1e9;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const SheetPoint a = view.place(points[i - 1]);
-    const SheetPoint b = view.place(points[i]);
-    const double dx = b.x - a.x;
-    const double dy = b.y - a.y;
-    const double square = dx * dx + dy * dy;
-    const double along =
-        square > 0 ? std::clamp(((from.x - a.x) * dx + (from.y - a.y) * dy) / square, 0.0, 1.0) : 0;
-    least = std::min(least, std::hypot(a.x + along * dx - from.x, a.y + along * dy - from.y));
-  }
-  return least;
-}
-
-// How much a number would cover at a place: other numbers most, lines less, the edge of the field.
-double cover(const View& view, const Path& path, const std::vector<SheetBox>& placed,
-             const SheetBox& box) {
-  double covered = 0;
-  for (const SheetBox& other : placed) {
-    if (box.x < other.x + other.width && other.x < box.x + box.width &&
-        box.y < other.y + other.height && other.y < box.y + box.height) {
-      covered += 100;
-    }
-  }
-  const SheetPoint middle{box.x + box.width / 2, box.y + box.height / 2};
-  for (const Motion& motion : path.motions) {
-    if (motion.moves() && distance_to(view, motion.points, middle) < kAside - 4) covered += 1;
-  }
-  const SheetBox& field = view.field;  // beside it stand the labels of the grid
-  const bool outside = box.x < field.x || box.y < field.y ||
-                       box.x + box.width > field.x + field.width ||
-                       box.y + box.height > field.y + field.height;
-  return covered + (outside ? 50 : 0);
-}
-
 }  // namespace
 
 void append_numbers(std::string& out, const View& view, const Path& path) {
   constexpr std::array<double, 7> kShares = {0.5, 0.38, 0.62, 0.25, 0.75, 0.12, 0.88};
-  std::vector<SheetBox> placed;
+  TextRoom room(view, view.field, {&path});  // beside the field stand the labels of the grid
+  for (const SheetBox& box : boxes_of_axes(view)) room.add_text(box);
   const std::vector<std::size_t> numbers = motion_numbers(path);
   for (std::size_t i = 0; i < path.motions.size(); ++i) {
     if (numbers[i] == 0) continue;
     const std::string text = std::to_string(numbers[i]);
     const double width = kDigit * static_cast<double>(text.size()) + 2;
-    SheetBox best{};
-    double least = 1e9;
-    for (const double aside : {kAside, -kAside, 2.2 * kAside, -2.2 * kAside}) {
+    std::vector<SheetBox> boxes;
+    for (const double aside : {kAside, -kAside, 1.6 * kAside, -1.6 * kAside}) {
       for (const double share : kShares) {
         const Spot spot = spot_at(view, path.motions[i].points, share);
-        const SheetBox box{spot.at.x - spot.uy * aside - width / 2,
-                           spot.at.y + spot.ux * aside - kHeight / 2, width, kHeight};
-        const double covered =
-            cover(view, path, placed, box) + (std::fabs(aside) > kAside ? 0.5 : 0);
-        if (covered >= least) continue;
-        least = covered;
-        best = box;
+        boxes.push_back({spot.at.x - spot.uy * aside - width / 2,
+                         spot.at.y + spot.ux * aside - kHeight / 2, width, kHeight});
       }
     }
-    placed.push_back(best);
+    const SheetBox best = boxes[room.take(boxes)];
     svg::append_text(out, {best.x + width / 2, best.y + kHeight - 2.5}, "gs-number", text,
                      "text-anchor=\"middle\"");
   }

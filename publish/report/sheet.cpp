@@ -8,6 +8,7 @@
 
 #include "publish/report/inset.hpp"
 #include "publish/report/pocket_area.hpp"
+#include "publish/report/sheet_names.hpp"
 #include "publish/report/sheet_parts.hpp"
 #include "publish/report/sheet_paths.hpp"
 #include "publish/report/unfolded.hpp"
@@ -59,7 +60,7 @@ void append_marks(std::string& out, const View& view, const Sheet& sheet, const 
   append_start(out, view, *sheet.reference);
   append_end(out, view, *sheet.reference, 'r');
   if (sheet.departing != nullptr) append_end(out, view, *sheet.departing, 's');
-  append_names(out, view, parts.names);
+  append_names(out, view, sheet, parts.names);
   if (!sheet.witness) return;
   if (parts.level && looks_along(view, *parts.level->level)) {
     append_tool_disc(out, view, *parts.level->level, *sheet.witness);

@@ -63,11 +63,6 @@ double sign_of(const Direction& direction) {
   return direction.x + direction.y + direction.z < 0 ? -1 : 1;
 }
 
-char axis_of(const Direction& direction) {
-  if (direction.x != 0) return 'X';
-  return direction.y != 0 ? 'Y' : 'Z';
-}
-
 // Grid lines across one direction of a view: where they stand on the sheet and what they say.
 struct GridLine {
   double at;
@@ -162,7 +157,7 @@ void append_axis(std::string& out, SheetPoint from, double dx, double dy, char l
 // The three axes as this view shows them, beside its title.
 void append_axes(std::string& out, const View& view) {
   if (view.shown_axis != 0) return;
-  const SheetPoint corner{view.frame.x + view.frame.width - 46, view.frame.y + 32};
+  const SheetPoint corner = corner_of_axes(view);
   const std::array<Direction, 3> axes = {Direction{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const Direction& axis : axes) {
     if (axis_of(axis) == view.spread_axis) continue;
@@ -314,63 +309,6 @@ void append_limit(std::string& out, const View& view, const Limit& limit) {
   svg::append_subpath(d, view, limit.points);
   out += fmt::format("<path class=\"{}\" d=\"{}\"/>\n",
                      limit.kind == Limit::Kind::border ? "gs-border-line" : "gs-reach", d);
-}
-
-namespace {
-
-// A plane that is seen as a line, with its name: of upright ones below the names of those `before`
-// it, of level ones beside those close by.
-void append_plane(std::string& out, const View& view, const NamedPlane& plane, std::size_t before,
-                  double aside) {
-  const Point3 at{plane.axis == 'X' ? plane.at : 0, plane.axis == 'Y' ? plane.at : 0,
-                  plane.axis == 'Z' ? plane.at : 0};
-  const SheetPoint place = view.place(at);
-  const SheetBox& field = view.field;
-  constexpr double kLine = 13;
-  if (axis_of(view.up) == plane.axis) {
-    out += fmt::format("<path class=\"gs-plane\" d=\"M{} {}h{}\"/>", svg::number(field.x),
-                       svg::number(place.y), svg::number(field.width));
-    svg::append_text(out, {field.x + field.width - 4 - aside, place.y - 4}, "gs-point", plane.name,
-                     "text-anchor=\"end\"");
-  } else if (axis_of(view.right) == plane.axis) {
-    out += fmt::format("<path class=\"gs-plane\" d=\"M{} {}v{}\"/>", svg::number(place.x),
-                       svg::number(field.y), svg::number(field.height));
-    svg::append_text(out, {place.x + 4, field.y + 10 + kLine * static_cast<double>(before)},
-                     "gs-point", plane.name);
-  }
-}
-
-// The room that the names of planes close by take of a line.
-double room_of_names(const View& view, const Names& names, std::size_t count) {
-  constexpr double kLetter = 8.5;
-  constexpr double kClose = 14;
-  double room = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const NamedPlane& other = names.planes[i];
-    const double apart = std::fabs(other.at - names.planes[count].at) * view.scale;
-    if (other.axis == names.planes[count].axis && apart < kClose) {
-      room += kLetter * static_cast<double>(other.name.size()) + kClose;
-    }
-  }
-  return room;
-}
-
-}  // namespace
-
-void append_names(std::string& out, const View& view, const Names& names) {
-  for (std::size_t i = 0; i < names.planes.size() && !view.isometric; ++i) {
-    append_plane(out, view, names.planes[i], i, room_of_names(view, names, i));
-  }
-  for (std::size_t i = 0; i < names.points.size(); ++i) {
-    const SheetPoint place = view.place(names.points[i].at);
-    // Points that lie at one place have their names side by side.
-    double aside = 0;
-    for (std::size_t j = 0; j < i; ++j) {
-      const SheetPoint other = view.place(names.points[j].at);
-      if (std::hypot(other.x - place.x, other.y - place.y) < 10) aside += 14;
-    }
-    svg::append_text(out, {place.x + 9 + aside, place.y - 8}, "gs-point", names.points[i].name);
-  }
 }
 
 void append_view_frame(std::string& out, const View& view) {

@@ -27,9 +27,7 @@ void append_sheet_head(std::string& out, const Sheet& sheet, double height);
 std::string view_title(const View& view);
 // Title, grid with coordinates, axes.
 void append_view_frame(std::string& out, const View& view);
-// The lines of a limit, and the points and planes of a cycle by name.
 void append_limit(std::string& out, const View& view, const Limit& limit);
-void append_names(std::string& out, const View& view, const Names& names);
 void append_blank_note(std::string& out);
 // Legend, names, verdict, scale bar, projection symbol, remarks.
 void append_title_block(std::string& out, const Sheet& sheet, const Layout& layout);

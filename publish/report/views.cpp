@@ -140,6 +140,15 @@ SheetPoint View::place(const Point3& point) const {
           field.y + field.height / 2 - (up.of(point) - middle_up) * scale};
 }
 
+char axis_of(const Direction& direction) {
+  if (direction.x != 0) return 'X';
+  return direction.y != 0 ? 'Y' : 'Z';
+}
+
+SheetPoint corner_of_axes(const View& view) {
+  return {view.frame.x + view.frame.width - 46, view.frame.y + 32};
+}
+
 Layout lay_out(const Extent& extent, bool lathe, const SheetBox& area) {
   const std::array<bool, 3> moves = {extent.high.x - extent.low.x > kStill,
                                      extent.high.y - extent.low.y > kStill,

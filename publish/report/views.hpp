@@ -64,6 +64,11 @@ struct View {
   SheetPoint place(const Point3& point) const;
 };
 
+// The axis along a direction that has one.
+char axis_of(const Direction& direction);
+// Where the three axes are shown in a view: beside its title.
+SheetPoint corner_of_axes(const View& view);
+
 struct Layout {
   std::vector<View> views;  // the main view first
   double scale = 1;         // of all but the isometric view

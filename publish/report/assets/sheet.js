@@ -74,8 +74,10 @@ class SheetView {
   plane(path) {
     const [, x, y, way] = /^M(\S+) ([^hv]+)([hv])/.exec(path.getAttribute('d'));
     const text = path.nextElementSibling;
-    const aside = way === 'h' ? this.from.x + this.from.width - Number(text.getAttribute('x')) : Number(text.getAttribute('y')) - this.from.y;
-    return { path, text, level: way === 'h', at: [Number(x), Number(y)], aside };
+    const level = way === 'h';
+    const place = ['x', 'y'].map((name) => Number(text.getAttribute(name)));
+    const aside = level ? this.from.x + this.from.width - place[0] : place[1] - this.from.y;
+    return { path, text, level, at: [Number(x), Number(y)], aside, off: level ? place[1] - y : place[0] - x };
   }
 
   // Where a point of the machine lies on the sheet as it came.
@@ -126,12 +128,14 @@ class SheetView {
     if (!this.isometric) this.drawNumbers();
   }
 
-  drawPlane({ path, text, level, at, aside }) {
+  drawPlane({ path, text, level, at, aside, off }) {
     const { field } = this;
     const [x, y] = this.seen(at);
     path.setAttribute('d', level ? `M${field.x} ${y}h${field.width}` : `M${x} ${field.y}v${field.height}`);
-    text.setAttribute('x', level ? field.x + field.width - aside : x + 4);
-    text.setAttribute('y', level ? y - 4 : field.y + aside);
+    // As far along the line as on the sheet, which may be longer.
+    const along = aside * Math.min(1, level ? field.width / this.from.width : field.height / this.from.height);
+    text.setAttribute('x', level ? field.x + field.width - Math.max(4, along) : x + off);
+    text.setAttribute('y', level ? y + off : field.y + Math.max(10, along));
   }
 
   // Numbers of one direction, so far apart that no two of them meet.
@@ -185,7 +189,7 @@ function anchorOf(node) {
   const of = (from, x, y, dx = 0, dy = 0) => [Number(from.getAttribute(x)) + dx, Number(from.getAttribute(y)) + dy];
   if (node.matches('circle')) return of(node, 'cx', 'cy');
   if (node.matches('rect')) return of(node, 'x', 'y', 3.5, 3.5);
-  if (node.matches('text')) return of(node, 'x', 'y', -9, 8);  // names stand beside their points
+  if (node.matches('text')) return numbersIn(node.dataset.at);  // names stand beside their points
   return of(node.querySelector('circle'), 'cx', 'cy');
 }
 
