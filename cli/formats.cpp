@@ -160,10 +160,11 @@ class PlainCodes : public RecordFormat {
 
 std::unique_ptr<RecordFormat> make_record_format(std::string_view name,
                                                  const reference::Profile& profile,
-                                                 std::string_view program_name) {
+                                                 std::string_view program_name,
+                                                 std::uint64_t named_block) {
   if (name == "table") return std::make_unique<Table>();
   if (name == "ngc") return std::make_unique<PlainCodes>(profile.initial.at);
-  if (name == "svg") return make_svg_format(profile, program_name);
+  if (name == "svg") return make_svg_format(profile, program_name, named_block);
   return std::make_unique<JsonLines>();
 }
 

@@ -28,9 +28,11 @@ class RecordFormat {
 };
 
 // "jsonl": the records of docs/protocol.md. "table": for people. "ngc": plain G00 to G03 in the
-// order of the motions, radius programming, absolute. "svg": a drawing sheet.
+// order of the motions, radius programming, absolute. "svg": a drawing sheet, on which the cycle of
+// `named_block` has its points named; 0: the first cycle.
 std::unique_ptr<RecordFormat> make_record_format(std::string_view name,
                                                  const reference::Profile& profile,
-                                                 std::string_view program_name);
+                                                 std::string_view program_name,
+                                                 std::uint64_t named_block = 0);
 
 }  // namespace gonogo::cli

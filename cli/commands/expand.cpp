@@ -19,9 +19,12 @@
 namespace gonogo::cli {
 namespace {
 
+constexpr long kMostBlock = 1'000'000'000;
+
 struct ExpandOptions {
   std::string program;
   std::string format = "jsonl";
+  long block = 0;  // 0: the first cycle
   ProfileOptions profile;
 };
 
@@ -43,7 +46,8 @@ class Expansion {
         open_(profile_),
         is_settled_(!open_.leaves_open()),
         has_places_(options.format == "svg"),
-        format_(make_record_format(options.format, profile_, file.name())) {}
+        format_(make_record_format(options.format, profile_, file.name(),
+                                   static_cast<std::uint64_t>(options.block))) {}
 
   int run() {
     while (!run_through()) {
@@ -131,6 +135,9 @@ class Expansion {
 };
 
 int expand(const ExpandOptions& options) {
+  if (options.block != 0 && options.format != "svg") {
+    throw UsageError("--block names the points of a cycle in a drawing: add --format svg.");
+  }
   ProgramFile file(options.program);
   warn_about_empty_program(file);
   file.keep();
@@ -146,6 +153,8 @@ void add_expand(Command& program) {
   add_profile_options(command, options->profile);
   command.choice("--format", options->format, {"jsonl", "table", "ngc", "svg"},
                  "jsonl, table, ngc or svg");
+  command.number("--block", options->block, 1, kMostBlock,
+                 "the line whose cycle has its points named in an svg (the first cycle)");
   command.run([options] { return expand(*options); });
 }
 

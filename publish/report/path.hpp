@@ -53,12 +53,13 @@ struct Names {
   std::vector<NamedPoint> points;
   std::vector<NamedPlane> planes;
   std::map<char, char> axes;  // 'p' -> 'Z'
+  bool empty() const { return points.empty() && planes.empty() && axes.empty(); }
 };
 
 struct Path {
-  std::vector<Motion> motions;  // one a record, in order
+  std::vector<Motion> motions;    // one a record, in order
   std::vector<Names> names = {};  // of the cycles that are run, in order
-  bool cut = false;             // more records or segments than are drawn
+  bool cut = false;               // more records or segments than are drawn
 };
 
 inline constexpr std::size_t kMaxRecords = 20'000;
