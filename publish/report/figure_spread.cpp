@@ -6,7 +6,9 @@
 namespace gonogo::oracle::report {
 namespace {
 
-constexpr double kGap = 0.06;  // of the line's length between two motions
+// Between two motions, of the line's length: upright ones have their numbers in the gap.
+constexpr double kGapOfLevel = 0.06;
+constexpr double kGapOfUpright = 0.1;
 
 Point3 shifted(const Point3& point, const Direction& step, double times) {
   return {point.x + step.x * times, point.y + step.y * times, point.z + step.z * times};
@@ -19,7 +21,8 @@ std::optional<Spread> spread_for(const Extent& extent, bool lathe) {
   const double y = extent.high.y - extent.low.y;
   const double z = extent.high.z - extent.low.z;
   if ((x > kStill) + (y > kStill) + (z > kStill) != 1) return std::nullopt;
-  const double gap = kGap * std::max({x, y, z});
+  const bool level = (lathe ? z : x) > kStill;
+  const double gap = (level ? kGapOfLevel : kGapOfUpright) * std::max({x, y, z});
   // To the right on the sheet, or downwards.
   if (x > kStill) return Spread{{0, 0, lathe ? gap : -gap}, 'Z'};
   return Spread{{lathe && z > kStill ? -gap : gap, 0, 0}, 'X'};

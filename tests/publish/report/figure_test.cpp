@@ -43,8 +43,9 @@ TEST(Figure, IsEmptyWhereNothingMoves) {
   EXPECT_EQ(svg_figure(figure), "");
 }
 
-// 20 mm long, so motions stand 6 % of it, 1.2 mm, apart; on a lathe downwards, on a mill to the
-// right. What does not move stays where the motion before it ended.
+// 20 mm long, so motions stand apart by 6 % of it, 1.2 mm, downwards on a lathe, where Z is level,
+// and by 10 %, 2 mm, to the right on a mill, where it is upright. What does not move stays where
+// the motion before it ended.
 TEST(Figure, SpreadsALineMotionBesideMotion) {
   Extent extent;
   extent.include({5, 0, 0});
@@ -60,7 +61,7 @@ TEST(Figure, SpreadsALineMotionBesideMotion) {
   EXPECT_EQ(spread.motions[3].points[1].z, -20);
   const auto mill = spread_for(extent, false);
   ASSERT_TRUE(mill);
-  EXPECT_NEAR(mill->step.x, 1.2, 1e-12);
+  EXPECT_NEAR(mill->step.x, 2, 1e-12);
 }
 
 TEST(Figure, LeavesWhatIsNoLineInItsPlace) {
