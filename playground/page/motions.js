@@ -26,7 +26,8 @@ function showPaths(base, other) {
     el('span', { class: 'note' }, 'Drag turns, with Shift it moves; the wheel magnifies.'));
   const box = el('div', { class: 'sheet space', id: 'space' });
   if (!view.empty) box.append(view.build());
-  byId('view').replaceChildren(...(view.empty ? [] : [box, looks]), bar, el('div', { id: 'clause' }));
+  const legend = el('p', { class: 'note sheet-legend' }, ...view.legend(other ? { r: `${other.name} as chosen`, s: other.other } : {}));
+  byId('view').replaceChildren(...(view.empty ? [] : [box, legend, looks]), bar, el('div', { id: 'clause' }));
   const tables = [motionTable('r', other ? `${other.name} as chosen` : 'Motions', lists.r, other ? lists.s : null)];
   if (other) tables.push(motionTable('s', `${other.name} = ${other.other}`, lists.s, lists.r));
   byId('steps').classList.toggle('one', !other);

@@ -15,6 +15,7 @@ using Cell = std::array<long long, 3>;
 
 constexpr int kRapidMove = 1;
 constexpr int kElsewhere = 2;
+constexpr int kThreadMove = 4;
 
 Cell cell_of(const Point3& point) {
   constexpr double kUnit = 1e4;  // of a mm
@@ -50,7 +51,8 @@ Json moves_json(const Path& path, std::size_t steps_of_turn) {
     if (motion.moves()) {
       const Cell first = cell_of(motion.points.front());
       const bool elsewhere = !at || *at != first;
-      move.push_back((motion.rapid ? kRapidMove : 0) + (elsewhere ? kElsewhere : 0));
+      move.push_back((motion.rapid ? kRapidMove : 0) + (elsewhere ? kElsewhere : 0) +
+                     (motion.is_thread() ? kThreadMove : 0));
       if (elsewhere) append_step(move, {}, first);
       Cell last = first;
       for (std::size_t i = 1; i < motion.points.size(); ++i) {

@@ -157,17 +157,8 @@ const kLegend = [['gs-r gs-feed', 'reference, feed'], ['gs-r gs-rapid', 'referen
 
 // The legend of what is drawn; that of the sheet itself is for paper.
 function sheetLegend(svg) {
-  const swatch = (css) => {
-    const line = svgNode('path', css);
-    line.setAttribute('d', 'M2 6h44');
-    const box = svgNode('svg', 'gs-sheet gs-swatch');
-    box.setAttribute('viewBox', '0 0 48 12');
-    box.setAttribute('aria-hidden', 'true');
-    box.append(line);
-    return box;
-  };
   const lathe = svg.querySelector('[data-diameters]') !== null;
   return el('p', { class: 'note sheet-legend' },
-    ...kLegend.filter(([css]) => svg.querySelector(`[data-view] .${css.replace(' ', '.')}`)).map(([css, words]) => el('span', {}, swatch(css), words)),
+    ...kLegend.filter(([css]) => svg.querySelector(`[data-view] .${css.replace(' ', '.')}`)).map(([css, words]) => legendEntry(css, words)),
     el('span', {}, `Millimetres${lathe ? ', X as a diameter' : ''}. Of rapids only the ends are specified.`));
 }

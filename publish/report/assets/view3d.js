@@ -6,6 +6,7 @@
 
 const kUnit3d = 1e-4;  // mm of a number in the paths
 const kView3d = { width: 1160, height: 620 };
+const kMotionKinds = ['feed', 'rapid', 'thread'];
 
 // Motions as lists of points; what does not move has none.
 function pathOf(moves) {
@@ -19,7 +20,7 @@ function pathOf(moves) {
       at = [at[0] + move[i] * kUnit3d, at[1] + move[i + 1] * kUnit3d, at[2] + move[i + 2] * kUnit3d];
       points.push(at);
     }
-    return { rapid: (move[0] & 1) === 1, points, end: at };
+    return { rapid: (move[0] & 1) === 1, kind: move[0] & 1 ? 'rapid' : move[0] & 4 ? 'thread' : 'feed', points, end: at };
   });
 }
 
@@ -69,9 +70,9 @@ class View3d {
   constructor(data) {
     this.lathe = data.lathe === true;
     this.paths = { r: pathOf(data.moves?.r), s: pathOf(data.moves?.s) };
-    // What is drawn of each, by feed and rapid.
-    this.lines = Object.fromEntries(Object.entries(this.paths).map(([owner, path]) => [owner, [false, true].map((rapid) =>
-      withoutOverlap(path.filter((motion) => motion.points.length > 0 && motion.rapid === rapid).map((motion) => motion.points)))]));
+    // What is drawn of each, by kind.
+    this.lines = Object.fromEntries(Object.entries(this.paths).map(([owner, path]) => [owner, Object.fromEntries(kMotionKinds.map((kind) =>
+      [kind, withoutOverlap(path.filter((motion) => motion.points.length > 0 && motion.kind === kind).map((motion) => motion.points))]))]));
     this.limits = (data.limits ?? []).map(limitOf);
     this.witness = data.at ?? null;
     this.hidden = new Set();
@@ -138,8 +139,8 @@ class View3d {
     this.svg.setAttribute('role', 'img');
     this.svg.setAttribute('aria-label', 'The paths in space. Drag to turn, with Shift to move; the wheel magnifies.');
     this.strokes = {};
-    for (const [name, css] of [['border', 'gs-border-line'], ['reach', 'gs-reach'], ['r0', 'gs-r gs-feed'], ['r1', 'gs-r gs-rapid'],
-      ['s0', 'gs-s gs-feed'], ['s1', 'gs-s gs-rapid'], ['rim', 'gs-now'], ['core', 'gs-now-core'], ['disc', 'gs-disc-3d'], ['axes', 'gs-axis']]) {
+    for (const [name, css] of [['border', 'gs-border-line'], ['reach', 'gs-reach'],
+      ...['r', 's'].flatMap((owner) => kMotionKinds.map((kind) => [`${owner} ${kind}`, `gs-${owner} gs-${kind}`])), ['rim', 'gs-now'], ['core', 'gs-now-core'], ['disc', 'gs-disc-3d'], ['axes', 'gs-axis']]) {
       this.strokes[name] = svgNode('path', css);
       this.svg.append(this.strokes[name]);
     }
@@ -163,9 +164,9 @@ class View3d {
 
   draw() {
     for (const owner of ['r', 's']) {
-      for (const rapid of [0, 1]) {
-        this.strokes[`${owner}${rapid}`].setAttribute('d', this.hidden.has(owner) ? ''
-          : this.lines[owner][rapid].map((line) => this.line(line)).join(''));
+      for (const kind of kMotionKinds) {
+        this.strokes[`${owner} ${kind}`].setAttribute('d', this.hidden.has(owner) ? ''
+          : this.lines[owner][kind].map((line) => this.line(line)).join(''));
       }
     }
     for (const kind of ['border', 'reach']) {
@@ -175,6 +176,12 @@ class View3d {
     if (this.witness) this.ring.setAttribute('transform', `translate(${this.place(this.witness).join(' ')})`);
     this.drawNow();
     this.drawAxes();
+  }
+
+  // The styles that are drawn, each with its words.
+  legend(names = { r: 'reference', s: 'subject' }) {
+    return ['r', 's'].flatMap((owner) => kMotionKinds.filter((kind) => this.lines[owner][kind].length > 0)
+      .map((kind) => legendEntry(`gs-${owner} gs-${kind}`, names[owner] ? `${names[owner]}, ${kind}` : kind)));
   }
 
   // The motion that is stepped to, and the tool where it ends.
@@ -270,6 +277,17 @@ class View3d {
   }
 }
 
+// A line of a style beside its words.
+function legendEntry(css, words) {
+  const line = svgNode('path', css);
+  line.setAttribute('d', 'M2 6h44');
+  const box = svgNode('svg', 'gs-sheet gs-swatch');
+  box.setAttribute('viewBox', '0 0 48 12');
+  box.setAttribute('aria-hidden', 'true');
+  box.append(line);
+  return el('span', {}, box, words);
+}
+
 // The view with its buttons.
 function spaceBox(data) {
   const view = new View3d(data);
@@ -292,5 +310,5 @@ function spaceBox(data) {
     el('span', { class: 'note' }, 'Drag turns, with Shift it moves; the wheel magnifies.'));
   const box = el('div', { class: 'sheet space', id: 'space' });
   box.append(view.build());
-  return { view, nodes: [el('h3', {}, 'In space'), box, bar] };
+  return { view, nodes: [el('h3', {}, 'In space'), box, el('p', { class: 'note sheet-legend' }, ...view.legend()), bar] };
 }

@@ -242,10 +242,13 @@ TEST(PagePaths, are_steps_in_a_tenth_of_a_micrometre) {
   path.motions.push_back(Motion{});
   path.motions.back().points = {{1, 2, -0.5}};
   path.motions.push_back(line({0, 0, 0}, {0, 0, 1}));  // after a renaming
+  path.motions.push_back(line({0, 0, 1}, {0, 0, 3}));
+  path.motions.back().kind = "thread";
   EXPECT_EQ(moves_json(path, 16), (Json{{3, 10000, 0, 0, 0, 20000, 0},
                                         {0, 0, 0, -5000},
                                         Json::array(),
-                                        {2, 0, 0, 0, 0, 0, 10000}}));
+                                        {2, 0, 0, 0, 0, 0, 10000},
+                                        {4, 0, 0, 20000}}));
 }
 
 TEST(PassDetail, has_program_path_and_the_clause_of_each_motion) {
