@@ -192,6 +192,17 @@ test('a view in space turns, magnifies and follows the steps', () => withPage(re
   assert.equal(await drawn(), '');
 }, atCase('gsk.g94.000002')));
 
+test('a thread in space has its own dashes and its words', () => withPage(results, async (page) => {
+  // 1 mm of feed from the origin, then 1 mm of thread.
+  const [feed, thread, words] = await page.evaluate(() => {
+    const view = new View3d({ moves: { r: [[2, 0, 0, 0, 10000, 0, 0], [4, 0, 0, 10000]] } });
+    const svg = view.build();
+    const drawn = (kind) => svg.querySelector(`.gs-r.gs-${kind}`).getAttribute('d').split('M').length - 1;
+    return [drawn('feed'), drawn('thread'), view.legend().map((one) => one.textContent)];
+  });
+  assert.deepEqual([feed, thread, words], [1, 1, ['reference, feed', 'reference, thread']]);
+}));
+
 // Boxes of what is drawn, in pixels of the screen.
 const boxes = (page, selector) => page.locator(selector).evaluateAll((all) => all.filter((one) => one.getClientRects().length > 0).map((one) => {
   const { left, top, right, bottom } = one.getBoundingClientRect();
@@ -533,6 +544,9 @@ for (const [what, hash] of [['the overview', ''], ['a case', atCase('gsk.g94.000
     await page.setViewportSize({ width: 400, height: 900 });
     await page.locator(hash === '' ? '#by-cycles' : '#sheet').waitFor();
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 400);
+    // No column stands beyond the edge of its box.
+    assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('.scroll')]
+      .filter((box) => box.scrollWidth > box.clientWidth).map((box) => box.textContent.slice(0, 60))), []);
   }, hash));
 }
 

@@ -66,6 +66,7 @@ function showCycles() {
   byId('headline').append(el('details', { id: 'by-cycles', open: rows.length <= 20 ? '' : null },
     el('summary', {}, `${counted(rows.length, 'cycle', 'cycles')}`),
     table(['Cycle', ...shown.map((i) => columns[i])], body),
+    el('p', { class: 'note' }, 'The table counts a case once; the head line counts it for each feature it needs.'),
     others && el('p', { class: 'note' }, `Nothing judged: ${others}.`)));
 }
 
@@ -99,7 +100,8 @@ function showFindings() {
     body.push(findingRow(finding));
   }
   byId('findings').append(
-    el('p', { class: 'note' }, `Cases that depart in the same way, the gravest first. ${counted(findings.length, 'finding', 'findings')}; open the smallest case of one to see what it is.`),
+    el('p', { class: 'note' }, `Cases that depart in the same way, the gravest first. ${counted(findings.length, 'finding', 'findings')}`,
+      el('span', { class: 'on-screen' }, '; open the smallest case of one to see what it is'), '.'),
     table(['Finding', 'What the manual says', 'Cases', 'Of cycles', 'Smallest'], body));
 }
 
@@ -190,7 +192,7 @@ function matrixCell(clause, cycle, cell) {
   const parts = [passed && `\u2713${count(passed)}`, failed && `\u2717${count(failed)}`, undecided && `?${count(undecided)}`, elsewhere && `+${count(elsewhere)}`];
   const tone = failed ? 'no-go' : undecided ? 'undecided' : passed ? 'go' : 'plain';
   const label = `${clause.id} ${cycle}: ${passed} passed, ${failed} departed here, ${undecided} undecided, ${elsewhere} departed elsewhere`;
-  return el('td', { class: 'cell' }, el('button', { type: 'button', class: tone, title: `${clauseTitle(clause.id)}\n${label}`, 'aria-label': label,
+  return el('td', { class: 'cell', 'data-cycle': cycle }, el('button', { type: 'button', class: tone, title: `${clauseTitle(clause.id)}\n${label}`, 'aria-label': label,
     on: { click: () => {
       byId('filters').reset();
       byId('by-clause').value = clause.id;
@@ -230,7 +232,8 @@ function showAdvices() {
   byId('advices').hidden = groups.length === 0;
   if (groups.length === 0) return;
   byId('advices').append(
-    el('p', { class: 'note' }, 'The subject departs from what the gauge expects, but no text of a manual states the expectation: it is our judgement alone. An advice counts neither for nor against the subject. Choose one to see its program, its path and the exact numbers.'),
+    el('p', { class: 'note' }, 'The subject departs from what the gauge expects, but no text of a manual states the expectation: it is our judgement alone. An advice counts neither for nor against the subject.',
+      el('span', { class: 'on-screen' }, ' Choose one to see its program, its path and the exact numbers.')),
     table(['Clause', 'What is expected', 'Would be', 'Cases'], groups.map((group) => el('tr', {},
       el('th', { scope: 'row', class: 'mono', title: clauseTitle(group.clause) }, group.clause || 'no clause'),
       el('td', {}, catalog.get(group.clause)?.text ?? ''), el('td', { class: 'mono' }, group.departure),
@@ -252,7 +255,7 @@ function showNotClaimed() {
   }
   const names = [...features.keys()].sort((a, b) => (a === '') - (b === '') || a.localeCompare(b, 'en', { numeric: true }));
   byId('not-claimed').append(
-    el('p', { class: 'note' }, `The subject does not say that it has these: ${counted(summary.headline.notClaimed, 'case', 'cases')} of them were not judged. The decision says nothing of them.`),
+    el('p', { class: 'note' }, `The subject does not say that it has these: ${counted(summary.headline.notClaimed, 'case of them was', 'cases of them were')} not judged. The decision says nothing of them.`),
     table(['Feature', 'Of', 'Cases'], names.map((name) => el('tr', {},
       el('th', { scope: 'row', class: name ? 'mono' : null }, name || 'for other reasons'),
       el('td', {}, ...features.get(name).map((group) => el('div', {}, skippedButton(group), group.feature ? null : ` ${group.reason ?? 'no reason given'}`))),
