@@ -60,7 +60,8 @@ void append_numbers(std::string& out, const View& view, const Path& path) {
     const std::string text = std::to_string(numbers[i]);
     const double width = kDigit * static_cast<double>(text.size()) + 2;
     std::vector<SheetBox> boxes;
-    for (const double aside : {kAside, -kAside, 1.6 * kAside, -1.6 * kAside}) {
+    for (const double times : {1.0, -1.0, 1.6, -1.6, 2.2, -2.2, 3.0, -3.0}) {
+      const double aside = times * kAside;
       for (const double share : kShares) {
         const Spot spot = spot_at(view, path.motions[i].points, share);
         boxes.push_back({spot.at.x - spot.uy * aside - width / 2,
