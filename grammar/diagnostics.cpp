@@ -145,6 +145,8 @@ SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t of
   std::string phrase = insert(expectation.phrase, address_before(line, offset));
   if (offset == line.size()) return {expectation.code, span(offset, offset), std::move(phrase)};
   if (key == kWordEnd) {
+    // At the head of a block the first '/' leaves it out.
+    if (offset == 1 && line.starts_with("//")) offset = 0;
     // What other languages begin a comment with, or a text leaves blocks out by.
     for (const std::string_view sign : {"//", "\xE2\x80\xA6", "..."}) {
       if (!line.substr(offset).starts_with(sign)) continue;
