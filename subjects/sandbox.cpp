@@ -69,16 +69,10 @@ std::vector<fs::path> needed(const std::string& command) {
 
 std::vector<std::string> sandbox_words(const Sandbox& sandbox, const std::string& command,
                                        std::size_t temporary_bytes) {
-  std::vector<std::string> words = {sandbox.program,
-                                    "--unshare-all",
-                                    "--die-with-parent",
-                                    "--ro-bind",
-                                    "/",
-                                    "/",
-                                    "--proc",
-                                    "/proc",
-                                    "--dev",
-                                    "/dev"};
+  std::vector<std::string> words = {
+      sandbox.program, "--unshare-all", "--die-with-parent",
+      // Where the gauge is root, the subject could take away what hides the rest.
+      "--cap-drop", "ALL", "--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev"};
   const auto put = [&](std::string_view option, const std::string& path) {
     words.insert(words.end(), {std::string(option), path, path});
   };
