@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "oracle/records/text.hpp"
+#include "subjects/family_keeper.hpp"
 #include "subjects/process_family.hpp"
 
 namespace gonogo::oracle {
@@ -24,8 +25,8 @@ namespace {
 
 constexpr std::size_t kMostNotes = 16384;
 constexpr int kLongestWaitMs = 25;  // between two looks at the process itself
-// Between two looks at its size. Many processes take long to count, and begin no others meanwhile: the
-// rest is at least so many times as long as the look was.
+// Between two looks at its size. Many processes take long to count, and begin no others meanwhile:
+// the rest is at least so many times as long as the look was.
 constexpr auto kSizeEvery = std::chrono::milliseconds(20);
 constexpr int kRestPerLook = 4;
 constexpr std::size_t kBlock = 512;  // bytes, the unit of ulimit
@@ -76,6 +77,7 @@ std::vector<std::string> environment_of(const Limits& limits) {
       environment.emplace_back(text);
     }
   }
+  environment.push_back(family_mark());
   return environment;
 }
 
@@ -191,6 +193,8 @@ Process::Process(const std::string& command, const Limits& limits)
   make_nonblocking(out.read);
   make_nonblocking(err.read);
   const SpawnSettings settings(in.read.get(), out.write.get(), err.write.get());
+  // In a sandbox the processes end with this program.
+  if (!limits.sandbox.is_on()) start_family_keeper();
   pid_ = begin_family(
       [&](const ControlGroup& group) { return settings.spawn_shell(command, limits, group); },
       ControlGroup::make(limits.memory_bytes, limits.processes));
