@@ -126,13 +126,15 @@ RunAnswer Tally::finish(const std::vector<std::string>& stale,
                         const RunConditions& conditions) const {
   RunAnswer answer = answer_;
   answer.assignments = readings_.texts();
+  if (conditions.fresh) answer.hardly_answered = hardly_answered(*conditions.fresh);
   answer.judged_nothing =
       judged_by_dialect_.empty() ||
       std::ranges::any_of(judged_by_dialect_, [](const auto& entry) { return entry.second == 0; });
   if (answer.no_go > 0 || !stale.empty()) {
     answer.exit_code = 1;
     answer.decision = "NO-GO";
-  } else if (answer.judged_nothing || answer.oracle_errors > 0 || answer.unexpected_gaps > 0) {
+  } else if (answer.judged_nothing || answer.oracle_errors > 0 || answer.unexpected_gaps > 0 ||
+             !answer.hardly_answered.empty()) {
     // J-RUN-14.
     answer.exit_code = 3;
     answer.decision = "UNDECIDED";

@@ -45,6 +45,7 @@ struct RunAnswer {
   std::size_t unexpected_gaps = 0;
   std::size_t oracle_errors = 0;
   bool judged_nothing = false;           // in all, or in one of the dialects
+  std::string hardly_answered;           // a dialect, of its fresh programs
   std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
   std::string reading_conflict;  // the first case that no assignment explains with those before it
   // For all that is GO: how coordinates are rounded, by dialect.

@@ -141,17 +141,32 @@ void ResultsFile::check_footer() {
   check_decision();
 }
 
+namespace {
+
+// Of fifty fresh programs of a dialect or more, fewer than a tenth were judged.
+bool answers_by_heart(const Json& footer) {
+  const Json* fresh = footer.find("fresh");
+  if (fresh == nullptr) return false;
+  return std::ranges::any_of(fresh->members, [](const JsonMember& dialect) {
+    const auto programs = dialect.value.integer_of("programs");
+    return programs >= 50 && 10 * dialect.value.integer_of("judged") < programs;
+  });
+}
+
+}  // namespace
+
 void ResultsFile::check_decision() {
   const bool no_go = std::ranges::any_of(
       totals_, [](const auto& total) { return decision_of(total.first) == Decision::no_go; });
   const Json* stale = footer_->find("stale");
   const bool is_stale = stale != nullptr && !stale->items.empty();
-  const bool unjudged =
-      judged_.empty() ||
-      std::ranges::any_of(judged_, [](const auto& dialect) { return !dialect.second; });
-  const std::string_view decision = no_go || is_stale             ? "NO-GO"
-                                    : unjudged || unexpected_gap_ ? "UNDECIDED"
-                                                                  : "GO";
+  const bool unjudged = judged_.empty() || std::ranges::any_of(judged_, [](const auto& dialect) {
+                          return !dialect.second;
+                        });
+  const std::string_view decision = no_go || is_stale ? "NO-GO"
+                                    : unjudged || unexpected_gap_ || answers_by_heart(*footer_)
+                                        ? "UNDECIDED"
+                                        : "GO";
   if (footer_->text_of("decision") != decision) {
     fault("The footer decides " + footer_->text_of("decision") + "; the lines make it " +
           std::string(decision) + ".");

@@ -28,6 +28,15 @@ std::size_t fresh_judged(const FreshCounts& counts) {
   return judged;
 }
 
+std::string hardly_answered(const FreshCounts& counts) {
+  constexpr std::size_t kMany = 50;
+  constexpr std::size_t kFewest = 10;  // one in so many
+  for (const auto& [dialect, count] : counts) {
+    if (count.programs >= kMany && count.judged * kFewest < count.programs) return dialect;
+  }
+  return {};
+}
+
 Json fresh_json(const FreshCounts& counts) {
   Json object = Json::object();
   for (const auto& [dialect, count] : counts) {

@@ -23,6 +23,9 @@ using FreshCounts = std::map<std::string, FreshCount>;
 
 void add_fresh(FreshCounts& sum, const FreshCounts& more);
 std::size_t fresh_judged(const FreshCounts& counts);
+// A dialect of which many programs were asked and hardly any was judged; empty: there is none. Who
+// answers the cases of a corpus, and skips what is in none, may know them by heart (J-RUN-14).
+std::string hardly_answered(const FreshCounts& counts);
 
 // The key `fresh` of the footer. What is no count is left out.
 nlohmann::ordered_json fresh_json(const FreshCounts& counts);

@@ -118,7 +118,8 @@ Json scope_json(const RunScope& scope) {
   Json cycles = {{"columns", CycleTable::kColumns},
                  {"used", table.used},
                  {"rows", Json::array()},
-                 {"others", table.others}};
+                 {"others", table.others},
+                 {"counting", CycleTable::kCounting}};
   for (const CycleTable::Row& row : table.rows) {
     cycles["rows"].push_back(
         {{"cycle", row.cycle}, {"dialect", row.dialect}, {"cases", row.cases}});
@@ -225,6 +226,11 @@ Json Summary::headline(const Json& header, const Json* footer, std::uint64_t bad
   if (totals_.contains("oracle-error")) {
     reasons.push_back("The gauge itself failed on at least one case (oracle-error).");
   }
+  const RunConditions conditions = conditions_of(header, footer == nullptr ? Json() : *footer);
+  if (conditions.fresh && !hardly_answered(*conditions.fresh).empty()) {
+    reasons.push_back("Hardly any fresh program of dialect " + hardly_answered(*conditions.fresh) +
+                      " was judged.");
+  }
   const std::string said = footer != nullptr ? text_of(*footer, "decision") : "";
   const bool undecided = said == "UNDECIDED" && whole;
   if (undecided && reasons.empty()) {
@@ -236,7 +242,6 @@ Json Summary::headline(const Json& header, const Json* footer, std::uint64_t bad
                          : undecided       ? "UNDECIDED"
                          : reasons.empty() ? "GO"
                                            : "INCOMPLETE";
-  const RunConditions conditions = conditions_of(header, footer == nullptr ? Json() : *footer);
   return {{"decision", decision},
           {"head", scope_.head(decision) + conditions.text()},
           {"short", conditions.short_text().empty()
