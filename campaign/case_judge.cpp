@@ -5,8 +5,9 @@
 
 #include <algorithm>
 
-#include "oracle/steps/step_text.hpp"
 #include "oracle/records/finding.hpp"
+#include "oracle/records/text.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -208,7 +209,7 @@ bool CaseJudge::settle_flaky(const Case& test, const Tolerances& terms, Attempt&
     attempt.end.notes += fmt::format("{}{}.", attempt.end.notes.empty() ? "" : "\n", count);
   } else {
     verdict.message += fmt::format(" {}; it is known to fail in at most {} of them ({}).", count,
-                                   known->flaky->failures, known->reason);
+                                   known->flaky->failures, visible(known->reason));
   }
   return true;
 }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "oracle/records/text.hpp"
+
 namespace gonogo::oracle {
 namespace {
 
@@ -30,7 +32,7 @@ bool KnownFailure::is(const Verdict& got_verdict) const {
 }
 
 void KnownFailure::make_known(Verdict& known) const {
-  known.known = reason;
+  known.known = visible(reason);
   known.departure = known.kind;
   known.kind = VerdictKind::xfail;
 }
@@ -48,13 +50,13 @@ void KnownFailures::apply(CaseResult& result) const {
     if (entry.flaky || !entry.covers(result.id)) continue;
     if (answer == Decision::undecided || answer == Decision::neither) return;
     if (answer == Decision::go && entry.verdict == VerdictKind::fail_reading && result.readings) {
-      result.readings->known = entry.reason;  // the readings of the run tell
+      result.readings->known = visible(entry.reason);  // the readings of the run tell
       return;
     }
     if (answer == Decision::go) {
       verdict.kind = VerdictKind::xpass;
       verdict.message = fmt::format("Known to fail with {} ({}), but it passes.",
-                                    name(entry.verdict), entry.reason);
+                                    name(entry.verdict), visible(entry.reason));
       result.readings.reset();  // any reading may explain it
       return;
     }
@@ -76,10 +78,11 @@ std::vector<std::string> KnownFailures::stale() const {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (cases_[i] == 0) {
-      texts.push_back(fmt::format("known failure {}: no case has this id", entries_[i].cases));
+      texts.push_back(
+          fmt::format("known failure {}: no case has this id", visible(entries_[i].cases)));
     } else if (cases_[i] > kMostCasesOfAGlob) {
       texts.push_back(fmt::format("known failure {}: it covers {} cases, more than {}; list them",
-                                  entries_[i].cases, cases_[i], kMostCasesOfAGlob));
+                                  visible(entries_[i].cases), cases_[i], kMostCasesOfAGlob));
     }
   }
   return texts;
@@ -99,7 +102,7 @@ const AlarmMap::Entry* AlarmMap::name_class(RunEnd& end) const {
 }
 
 std::string stale_alarm(const std::string& native) {
-  return fmt::format("alarm map {}: no case met it", native);
+  return fmt::format("alarm map {}: no case met it", visible(native));
 }
 
 std::vector<std::string> AlarmMap::natives() const {

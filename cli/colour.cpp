@@ -38,6 +38,14 @@ std::string in_tone(std::string_view text, Tone tone, bool colour) {
   return fmt::format("\x1b[{}m{}\x1b[0m", code_of(tone), text);
 }
 
+std::size_t length_of_tone(std::string_view text) {
+  for (const std::string_view code : {"1;32", "1;31", "1;33", "1", "0"}) {
+    const std::string whole = fmt::format("\x1b[{}m", code);
+    if (text.starts_with(whole)) return whole.size();
+  }
+  return 0;
+}
+
 Tone tone_of(std::string_view decision) {
   if (decision.starts_with("GO")) return Tone::good;
   return decision.starts_with("NO-GO") ? Tone::bad : Tone::unsure;

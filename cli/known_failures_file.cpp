@@ -2,8 +2,8 @@
 #include "cli/known_failures_file.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
@@ -12,6 +12,7 @@
 #include "cli/program_file.hpp"
 #include "cli/subject_files.hpp"
 #include "oracle/records/output_file.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -37,8 +38,12 @@ KnownFailuresFile::KnownFailuresFile(std::string path, const std::string& known)
                     "{0} as well.",
                     path_));
   }
-  const std::filesystem::path folder = std::filesystem::absolute(path_).parent_path();
-  if (std::filesystem::is_directory(path_) || ::access(folder.c_str(), W_OK) != 0) {
+  try {
+    // A folder may be there and take no file, as /proc does.
+    if (std::filesystem::is_directory(path_))
+      throw std::system_error(EISDIR, std::generic_category());
+    const oracle::OutputFile trial(path_);
+  } catch (const std::system_error&) {
     throw UsageError(fmt::format("{} cannot be written. Name a file in a folder that can.", path_));
   }
   if (!known.empty()) head_ = head_of(read_file(known, "a file of known failures"));
@@ -63,8 +68,8 @@ std::string KnownFailuresFile::write(const oracle::Corpus& corpus,
   } catch (const std::system_error& error) {
     throw OutputError(error.what(), false);
   }
-  std::string text = fmt::format("known failures: {}, {} cases added, {} pruned\n", path_,
-                                 result.added, result.pruned);
+  std::string text = fmt::format("known failures: {}, {} cases added, {} pruned\n",
+                                 oracle::visible(path_), result.added, result.pruned);
   if (result.unsteady > 0) {
     text += fmt::format(
         "  {} cases answered differently from run to run and are not written: `flaky` is for "

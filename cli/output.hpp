@@ -26,12 +26,19 @@ class OutputError : public std::runtime_error {
   bool quiet_;
 };
 
+// The border of texts for people. What others wrote may stand in them: what would move the cursor,
+// turn the writing or hide in it is written out, and no line of it is a command to the machine that
+// keeps a log (::error::, ##[error]). `colour`: the gauge's own stays.
+std::string people_text(std::string_view text, bool colour);
+// The same of a message: lines after the first are indented, so that none of them looks like the
+// gauge's own.
+std::string message_text(std::string_view text);
+
 // A message for people, on standard error. One that cannot be written there is lost, and nothing
 // else: the exit code says what matters.
 template <typename... Values>
 void complain(fmt::format_string<Values...> text, Values&&... values) {
-  const std::string words =
-      oracle::visible(fmt::format(text, std::forward<Values>(values)...), oracle::Lines::kept);
+  const std::string words = message_text(fmt::format(text, std::forward<Values>(values)...));
   std::fwrite(words.data(), 1, words.size(), stderr);
 }
 

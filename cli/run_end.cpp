@@ -7,6 +7,7 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
+#include "oracle/records/text.hpp"
 #include "publish/evidence/certificate_files.hpp"
 #include "publish/evidence/evidence.hpp"
 #include "publish/evidence/statement.hpp"
@@ -28,19 +29,19 @@ void write_report(const FinishedRun& run, std::string& written) {
   auto failed = oracle::evidence::write_evidence(run.files.results, run.report, run.corpus);
   if (failed) throw OutputError(*failed, false);
   need_own_results(run, run.files.results);
-  written += fmt::format("report:  {}/index.html\n", run.report);
+  written += fmt::format("report:  {}/index.html\n", oracle::visible(run.report));
   if (run.certificate.empty()) return;
   failed = oracle::evidence::write_certificate(run.files, run.certificate);
   if (failed) throw OutputError(*failed, false);
   need_own_results(run, run.certificate + "/" + oracle::evidence::kResultsFile);
-  written += fmt::format("certificate: {}/STATEMENT.md\n", run.certificate);
+  written += fmt::format("certificate: {}/STATEMENT.md\n", oracle::visible(run.certificate));
 }
 
 }  // namespace
 
 void tell_run(const FinishedRun& run) try {
   Output output;
-  output.text() = run.summary + fmt::format("results: {}\n", run.files.results);
+  output.text() = run.summary + fmt::format("results: {}\n", oracle::visible(run.files.results));
   std::exception_ptr unwritten;
   try {
     write_report(run, output.text());

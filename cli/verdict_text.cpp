@@ -242,9 +242,15 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
                         summary.footer.left_out);
   }
   for (const std::string& entry : summary.footer.stale) {
-    text += fmt::format("  An entry of the subject's files is stale: {}\n", entry);
+    text += fmt::format("  An entry of the subject's files is stale: {}\n", oracle::visible(entry));
   }
   if (!summary.complete) text += "  The run is incomplete.\n";
+  if (!summary.answer.hardly_answered.empty()) {
+    text += fmt::format(
+        "  Hardly any fresh program of {} was judged: that the cases of the corpus are GO does not "
+        "show an interpreter. Declare the features that the subject has, or give --fresh 0.\n",
+        summary.answer.hardly_answered);
+  }
   if (summary.answer.judged_nothing) {
     text += "  There is a dialect in which no case was judged.\n";
   } else if (summary.answer.no_go == 0 && !summary.answer.scope.claims_every_dialect()) {

@@ -105,7 +105,7 @@ void read_dialects(const object& reply, SubjectInfo& info) {
     return;
   }
   for (auto field : dialects) {
-    std::set<std::string>& features = info.dialects[std::string(field.key)];
+    std::set<std::string>& features = info.dialects[visible(field.key)];
     features = names_of(field.key, field.value);
     check_features(field.key, features);
   }

@@ -14,10 +14,11 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "fuzz/generate/cover/cases.hpp"
 #include "corpus/io/corpus_diff.hpp"
 #include "corpus/io/folder_writer.hpp"
 #include "corpus/io/lint.hpp"
+#include "fuzz/generate/cover/cases.hpp"
+#include "oracle/records/text.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -84,12 +85,12 @@ int list(const CorpusWords& words) {
   corpus.for_each([&](const Case& test) {
     if (!words.choice.takes(test)) return true;
     any = true;
-    output.text() += fmt::format("{}  {}\n", test.id, test.comment);
+    output.text() += fmt::format("{}  {}\n", test.id, oracle::visible(test.comment));
     output.flush_if_large();
     return true;
   });
   if (!any) fail_to_choose(corpus);
-  output.flush();
+  output.tell();
   return kGo;
 }
 
@@ -109,7 +110,7 @@ int cycles(const CorpusWords& words) {
   for (const auto& [cycle, cases] : cycles) {
     output.text() += fmt::format("{} {} {}\n", cycle.first, cycle.second, cases);
   }
-  output.flush();
+  output.tell();
   return kGo;
 }
 
@@ -164,7 +165,7 @@ int lint(const CorpusWords& words) {
     }
   });
   output.text() += fmt::format("{} cases, {} findings\n", cases, findings);
-  output.flush();
+  output.tell();
   return findings == 0 ? kGo : kNoGo;
 }
 
@@ -187,7 +188,7 @@ int diff(const CorpusWords& words) {
   show(output, "changed expectation", diff.changed);
   show(output, "of them, another end", diff.changed_ends);
   if (diff.same()) output.text() += "the same cases\n";
-  output.flush();
+  output.tell();
   return diff.same() ? kGo : kNoGo;
 }
 
@@ -293,9 +294,10 @@ int stats(const CorpusWords& words) {
   });
   if (stats.cases() == 0) fail_to_choose(corpus);
   Output output;
-  output.text() = fmt::format("corpus {} sha256 {}\n", corpus.version(), corpus.sha256());
+  output.text() =
+      fmt::format("corpus {} sha256 {}\n", oracle::visible(corpus.version()), corpus.sha256());
   stats.print(output);
-  output.flush();
+  output.tell();
   return kGo;
 }
 
@@ -315,7 +317,7 @@ int copy(const CorpusWords& words) {
   oracle::write_corpus(words.out, part);
   Output output;
   output.text() = fmt::format("{} cases in {}\n", cases, words.out);
-  output.flush();
+  output.tell();
   return kGo;
 }
 

@@ -49,7 +49,7 @@ struct Channel {
 
 void say(const Channel& channel, const std::string& line) {
   Output output(channel.output);
-  output.text() = line + "\n";
+  output.text() = people_text(line + "\n", false);
   output.flush();
 }
 
@@ -81,7 +81,7 @@ int host(const HostOptions& options) {
     return kGo;
   } catch (const oracle::SubjectUnusable& error) {
     // The sentence is all that comes where the protocol would: the runner passes it on.
-    say(channel, error.what());
+    say(channel, oracle::visible(error.what()));
     return kWrongUse;
   }
 }

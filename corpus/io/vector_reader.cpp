@@ -66,6 +66,9 @@ std::vector<Case> FileReader::read(const JsonPlace& file) {
   Case head;
   head.dialect = file.member("dialect").text();
   head.cycle = file.member("cycle").text();
+  if (!names_a_file(head.cycle)) {
+    file.member("cycle").fail("A cycle is letters, digits, points, - and _, as g94.");
+  }
   for (const JsonPlace& group : file.member("groups").items()) read_group(group, head);
   std::ranges::sort(cases_, {}, &Case::id);
   return std::move(cases_);

@@ -23,7 +23,7 @@ struct CycleTable {
   };
   // Why the numbers are not those of the head line.
   static constexpr std::string_view kCounting =
-      "The table counts a case once; the first line counts it for each feature it needs.";
+      "The table counts a case once; the head line counts it for each feature it needs.";
   // Cycles of which a case was judged or failed; those that fail most first.
   std::vector<Row> rows;
   // Cycles of which nothing was judged, with their cases: "g112 306, g114 98"; empty: none.

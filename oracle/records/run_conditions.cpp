@@ -7,6 +7,7 @@
 #include <array>
 
 #include "oracle/records/run_scope.hpp"
+#include "oracle/records/text.hpp"
 #include "reference/descriptor.hpp"
 #include "reference/dialect.hpp"
 
@@ -19,14 +20,16 @@ constexpr std::size_t kMostListed = 3;
 
 std::string text_in(const Json& object, const char* key) {
   const Json value = object.value(key, Json());
-  return value.is_string() ? value.get<std::string>() : std::string();
+  return value.is_string() ? visible(value.get<std::string>()) : std::string();
 }
 
 // "case a", "cases a, b", "12 cases".
 void add_names(std::vector<std::string>& into, const std::string& what, const Json& names) {
   if (!names.is_array() || names.empty()) return;
   std::vector<std::string> texts;
-  for (const Json& name : names) texts.push_back(name.is_string() ? name.get<std::string>() : "");
+  for (const Json& name : names) {
+    texts.push_back(name.is_string() ? visible(name.get<std::string>()) : "");
+  }
   const std::string many = names.size() == 1 ? what : what + "s";
   into.push_back(texts.size() > kMostListed ? fmt::format("{} {}", texts.size(), many)
                                             : fmt::format("{} {}", many, fmt::join(texts, ", ")));

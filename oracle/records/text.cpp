@@ -164,8 +164,30 @@ std::string excerpt(std::string_view bytes, std::size_t limit) {
   return visible(bytes.substr(0, limit)) + "...";
 }
 
+namespace {
+
+std::string escaped_in_shell(std::string_view word) {
+  std::string out;
+  while (!word.empty()) {
+    const std::string_view character = word.substr(0, character_length(word));
+    const std::uint32_t code = code_point(character);
+    if (is_hidden(code)) {
+      out += code < 0x80 ? fmt::format("\\x{:02x}", code) : fmt::format("\\U{:08x}", code);
+    } else {
+      if (character == "'" || character == "\\") out += '\\';
+      out += character;
+    }
+    word.remove_prefix(character.size());
+  }
+  return out;
+}
+
+}  // namespace
+
 std::string shell_quoted(std::string_view word) {
   if (!word.empty() && std::ranges::all_of(word, is_plain_in_shell)) return std::string(word);
+  // What would move the cursor or break the line has a spelling of its own in the shells of today.
+  if (visible(word) != word && is_utf8(word)) return "$'" + escaped_in_shell(word) + "'";
   std::string out = "'";
   for (char c : word) {
     if (c == '\'') {

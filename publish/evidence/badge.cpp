@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publish/evidence/badge.hpp"
 
+#include "oracle/records/text.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -17,7 +18,7 @@ std::string badge_json(const RunState& state) {
   }
   return report::dump({{"schemaVersion", 1},
                        {"label", "gonogo"},
-                       {"message", report::text_of(headline, "short")},
+                       {"message", visible(report::text_of(headline, "short"))},
                        {"color", colour}}) +
          "\n";
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "publish/evidence/compare_parts.hpp"
+#include "oracle/records/text.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -97,13 +98,13 @@ void note_differences(const Side& before, const Side& after, Comparison& compari
     const Json b = header_part(is, part);
     if (a != b) {
       comparison.notes.push_back(fmt::format("The runs differ in the {}: {} before, {} now.",
-                                             part.what, dump(a), dump(b)));
+                                             part.what, visible(dump(a)), visible(dump(b))));
     }
   }
   if (const Json a = assignments_of(before), b = assignments_of(after); a != b) {
     comparison.notes.push_back(
         fmt::format("The readings that explain everything that passed differ: {} before, {} now.",
-                    dump(a), dump(b)));
+                    visible(dump(a)), visible(dump(b))));
   }
 }
 

@@ -6,9 +6,10 @@
 #include <cerrno>
 #include <system_error>
 
-#include "publish/evidence/text.hpp"
 #include "oracle/records/input_file.hpp"
 #include "oracle/records/output_file.hpp"
+#include "oracle/records/text.hpp"
+#include "publish/evidence/text.hpp"
 
 namespace gonogo::oracle::evidence {
 namespace {
@@ -41,7 +42,8 @@ void ProgramFolder::add(const CaseRow& facts) {
   list_ << name << ".nc\n" << name << ".txt\n";
   write_file(folder_ / (name + ".nc"), *facts.program);
   write_file(folder_ / (name + ".txt"),
-             fmt::format("{} {}\n{}", facts.id, facts.verdict(), finding_text(facts, "  ")));
+             visible(fmt::format("{} {}\n{}", facts.id, facts.verdict(), finding_text(facts, "  ")),
+                     Lines::kept));
 }
 
 void ProgramFolder::finish() {

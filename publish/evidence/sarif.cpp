@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "corpus/io/sha256.hpp"
+#include "oracle/records/text.hpp"
 #include "publish/evidence/text.hpp"
 #include "publish/evidence/verdict_meaning.hpp"
 #include "publish/report/case_paths.hpp"
@@ -46,7 +47,7 @@ std::string page_of(const std::string& rule, std::string_view address) {
 }
 
 Json text_json(std::string_view text) {
-  return {{"text", text}};
+  return {{"text", visible(text, Lines::kept)}};
 }
 
 // The clause, but not where the case did not come so far as to depart from one.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "corpus/io/sha256.hpp"
+#include "oracle/records/text.hpp"
 #include "publish/report/escape.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -54,7 +55,8 @@ std::string xml_attribute(std::string_view text) {
   return out;
 }
 
-std::string markdown_text(std::string_view text) {
+std::string markdown_text(std::string_view bytes) {
+  const std::string text = visible(bytes, Lines::kept);
   // Punctuation that stands inside words and numbers is markup nowhere.
   constexpr std::string_view kPlain = ".,:;/='\"()%?";
   std::string out;
@@ -71,7 +73,8 @@ std::string markdown_text(std::string_view text) {
   return out;
 }
 
-std::string markdown_code(std::string_view text) {
+std::string markdown_code(std::string_view bytes) {
+  const std::string text = visible(bytes, Lines::kept);
   std::string plain;
   for (char c : text) {
     plain += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
@@ -81,7 +84,8 @@ std::string markdown_code(std::string_view text) {
   return ticks + space + plain + space + ticks;
 }
 
-std::string markdown_fence(std::string_view text) {
+std::string markdown_fence(std::string_view bytes) {
+  const std::string text = visible(bytes, Lines::kept);
   const std::string ticks(std::max<std::size_t>(3, longest_ticks(text) + 1), '`');
   std::string out = ticks + "\n";
   out += text;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publish/report/escape.hpp"
 
+#include "oracle/records/text.hpp"
+
 #include <array>
 #include <cstdint>
 
@@ -42,7 +44,8 @@ std::uint32_t hex_digit(char digit) {
 
 }  // namespace
 
-std::string markup_text(std::string_view text) {
+std::string markup_text(std::string_view bytes) {
+  const std::string text = visible(bytes, Lines::kept);
   std::string out;
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
@@ -64,7 +67,7 @@ std::string markup_text(std::string_view text) {
         out += "&#39;";
         break;
       default:
-        out += size == 0 ? kReplacement : text.substr(i, size);
+        out += size == 0 ? kReplacement : std::string_view(text).substr(i, size);
     }
     i += size == 0 ? 1 : size;
   }

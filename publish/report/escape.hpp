@@ -11,8 +11,8 @@
 namespace gonogo::oracle::report {
 
 // For XML and HTML text and quoted attributes. Bytes that are not UTF-8, and characters that XML
-// does not have, become U+FFFD.
-std::string markup_text(std::string_view text);
+// does not have, become U+FFFD; what hides in a text or turns it is written out.
+std::string markup_text(std::string_view bytes);
 
 // Makes a JSON text safe inside <script>: no '<', '>' or '&' remains.
 std::string script_json(std::string_view json);

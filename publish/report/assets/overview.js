@@ -57,7 +57,7 @@ function showHeadline() {
 
 // The cycles under the head line, those that fail first.
 function showCycles() {
-  const { columns, used, rows, others } = summary.scope.cycles;
+  const { columns, used, rows, others, counting } = summary.scope.cycles;
   if (rows.length === 0) return;
   const shown = columns.map((name, i) => i).filter((i) => used[i]);
   const body = rows.map((row) => el('tr', { class: row.cases[2] > 0 ? 'fails' : null },
@@ -66,7 +66,7 @@ function showCycles() {
   byId('headline').append(el('details', { id: 'by-cycles', open: rows.length <= 20 ? '' : null },
     el('summary', {}, `${counted(rows.length, 'cycle', 'cycles')}`),
     table(['Cycle', ...shown.map((i) => columns[i])], body),
-    el('p', { class: 'note' }, 'The table counts a case once; the head line counts it for each feature it needs.'),
+    el('p', { class: 'note' }, counting),
     others && el('p', { class: 'note' }, `Nothing judged: ${others}.`)));
 }
 
@@ -102,7 +102,7 @@ function showFindings() {
   byId('findings').append(
     el('p', { class: 'note' }, `Cases that depart in the same way, the gravest first. ${counted(findings.length, 'finding', 'findings')}`,
       el('span', { class: 'on-screen' }, '; open the smallest case of one to see what it is'), '.'),
-    table(['Finding', 'What the manual says', 'Cases', 'Of cycles', 'Smallest'], body));
+    table(['Finding', 'What the manual says', 'Cases', 'By cycle', 'Smallest'], body));
 }
 
 function findingRow(finding) {

@@ -102,7 +102,8 @@ def reply_to(message):
             subject["name"] = NASTY
         if KIND == "says-version":
             subject["version"] = NASTY
-        return {"protocol": 1, "subject": subject, "dialects": ["rs274"], "features": ["blocks"]}
+        dialects = ["rs274", NASTY] if KIND == "says-dialect" else ["rs274"]
+        return {"protocol": 1, "subject": subject, "dialects": dialects, "features": ["blocks"]}
     if command == "configure" and KIND == "says-refusal":
         return {"ok": False, "message": NASTY}
     if command != "run":
@@ -149,6 +150,7 @@ WORK = {
     "empties": empty_results,
     "leaves-group": lambda: (leave_group(), sleep()),
     "daemon": lambda: daemon(sleep),
+    "hangs-away": lambda: (daemon(sleep), sleep()),
     "children": children,
     "swarm": swarm,
     "hog-in-a-child": hog_in_a_child,

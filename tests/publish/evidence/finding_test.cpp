@@ -216,7 +216,7 @@ TEST(CycleTable, counts_every_case_once_and_shows_first_what_fails) {
   const CycleTable table = cycle_table(scope);
   ASSERT_EQ(table.rows.size(), 2U);
   const std::string counting =
-      "  The table counts a case once; the first line counts it for each feature it needs.\n";
+      "  The table counts a case once; the head line counts it for each feature it needs.\n";
   EXPECT_EQ(table.text(20),
             "  cycle  judged      GO   NO-GO  not covered\n"
             "  g94         2       1       1            1\n"
