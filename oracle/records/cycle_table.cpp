@@ -68,7 +68,7 @@ std::string CycleTable::text(std::size_t most) const {
   }
   if (rows.size() > most) text += fmt::format("  and {} more\n", rows.size() - most);
   if (!others.empty()) text += fmt::format("  nothing judged: {}\n", others);
-  return text + fmt::format("  {}\n", kCounting);
+  return rows.size() > 1 ? text + fmt::format("  {}\n", kCounting) : text;
 }
 
 }  // namespace gonogo::oracle

@@ -66,7 +66,7 @@ function showCycles() {
   byId('headline').append(el('details', { id: 'by-cycles', open: rows.length <= 20 ? '' : null },
     el('summary', {}, `${counted(rows.length, 'cycle', 'cycles')}`),
     table(['Cycle', ...shown.map((i) => columns[i])], body),
-    el('p', { class: 'note' }, counting),
+    rows.length > 1 && el('p', { class: 'note' }, counting),
     others && el('p', { class: 'note' }, `Nothing judged: ${others}.`)));
 }
 
