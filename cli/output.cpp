@@ -68,6 +68,11 @@ std::string message_text(std::string_view text) {
   return out;
 }
 
+void complain_each(std::string_view messages) {
+  const std::string words = people_text(messages, false);
+  std::fwrite(words.data(), 1, words.size(), stderr);
+}
+
 void Output::flush() {
   std::string_view rest = text_;
   while (!rest.empty()) {

@@ -42,6 +42,10 @@ void complain(fmt::format_string<Values...> text, Values&&... values) {
   std::fwrite(words.data(), 1, words.size(), stderr);
 }
 
+// Several messages in one text, each of which begins a line: names of others in it must be visible()
+// already.
+void complain_each(std::string_view messages);
+
 // The same for what moves the cursor of a terminal: texts of others in it must be visible()
 // already.
 template <typename... Values>
