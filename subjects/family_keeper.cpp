@@ -40,7 +40,7 @@ class Keeper {
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
   ~Keeper() {
-    if (pid_ > 0) {
+    if (pid_ > 0 && ::getpid() == gauge_) {  // and in no copy of the gauge that ends
       ::kill(pid_, SIGKILL);
       while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
       }
@@ -73,6 +73,7 @@ class Keeper {
     return error == 0 ? pid : -1;
   }
 
+  const pid_t gauge_ = ::getpid();
   pid_t pid_ = -1;
   int gone_with_us_ = -1;  // the end of the pipe that closes with this program
 };

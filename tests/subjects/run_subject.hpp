@@ -51,7 +51,7 @@ inline Limits short_limits() {
 }
 
 std::size_t open_descriptors();
-// Whether this process has children, running or not yet waited for.
+// Whether this process has children beside the keeper, running or not yet waited for.
 bool has_children();
 bool is_alive(int pid);
 
