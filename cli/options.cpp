@@ -42,8 +42,9 @@ void add_run_options(Command& command, LimitOptions& options) {
   constexpr long kMost = 1'000'000'000;
   command.number("--timeout", options.timeout, 1, kMost, "limit of one run, milliseconds");
   command.number("--memory", options.memory, 1, kMost, "memory limit of a subject, MB");
-  command.repeated_option("--env", options.environment,
-                          "a variable of the environment that the subject is given as well");
+  command.repeated_option(
+      "--env", options.environment,
+      "a variable of the environment that the subject is given as well: NAME, or NAME=VALUE");
   add_tolerance_options(command, options);
 }
 

@@ -13,6 +13,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -77,6 +78,9 @@ std::vector<std::string> environment_of(const Limits& limits) {
       environment.emplace_back(text);
     }
   }
+  // NAME=VALUE, which need not be in this program's environment.
+  std::ranges::copy_if(limits.environment, std::back_inserter(environment),
+                       [](const std::string& entry) { return entry.find('=') != entry.npos; });
   environment.push_back(family_mark());
   return environment;
 }

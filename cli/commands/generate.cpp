@@ -298,7 +298,7 @@ void add_generate(Command& program) {
   command.option("--profile", words->profile,
                  "with --valid, the machine of every program; without: any");
   command.repeated_option("--feature", words->features,
-                          "with --programs, one that they may need (all); may be repeated");
+                          "with --programs, one that they may need (all)");
   command.option("--subject", words->subject,
                  "with --programs, they need no feature but those that this subject declares");
   command.run([words] { return generate(*words); });

@@ -11,6 +11,7 @@
 #include "cli/verdict_text.hpp"
 #include "fuzz/hunt/profile_parts.hpp"
 #include "fuzz/program/text.hpp"
+#include "oracle/records/run_scope.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -52,12 +53,13 @@ int reduce(const ReduceWords& words) {
   const generate::GeneratedProgram& reduced = finding->reproducer.program;
   oracle::FindingFacts facts = oracle::finding_facts(finding->verdict);
   facts.blocks = oracle::marked_blocks(reduced.text, finding->verdict.block);
-  complain("{}profile    {}\n{} blocks of {}, after {} runs{}{}\n",
-           verdict_text(finding->verdict, std::move(facts)),
-           reference::profile_json(reduced.profile), program::count_blocks(reduced.text),
-           program::count_blocks(program.text), finding->reduce_runs,
-           finding->is_reduced ? "" : "; it may become smaller still",
-           id.empty() ? "" : fmt::format("; {}/findings/{}", words.trial.out, id));
+  complain(
+      "{}profile    {}\n{} of {}, after {}{}{}\n", verdict_text(finding->verdict, std::move(facts)),
+      reference::profile_json(reduced.profile),
+      oracle::counted(program::count_blocks(reduced.text), "block", "blocks"),
+      program::count_blocks(program.text), oracle::counted(finding->reduce_runs, "run", "runs"),
+      finding->is_reduced ? "" : "; it may become smaller still",
+      id.empty() ? "" : fmt::format("; {}/findings/{}", words.trial.out, id));
   Output output;
   output.text() = reduced.text;
   output.flush();
