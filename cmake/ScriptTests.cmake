@@ -5,7 +5,7 @@
 function(gonogo_add_script_test)
   cmake_parse_arguments(ARG "" "NAME;LABEL;WITHOUT;TIMEOUT" "COMMAND;NEEDS;ENVIRONMENT" ${ARGN})
   if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 120)
+    set(ARG_TIMEOUT 2400)  # a loaded machine takes long; what hangs ends all the same
   endif()
   foreach(needed IN LISTS ARG_NEEDS)
     if(NOT ${needed})
