@@ -167,13 +167,11 @@ std::string list_findings(const std::vector<hunt::Finding>& findings, const hunt
   for (generate::GeneratedProgram& program : pool.programs()) {
     others.push_back({"tried", std::move(program.text), program.profile});
   }
-  hunt::Causes causes;
   try {
-    causes = causes_of(asked, spread(std::move(others)), words);
+    group_findings(summary, causes_of(asked, spread(std::move(others)), words));
   } catch (const oracle::SubjectUnusable&) {
-    // The findings stand; what they come from is a courtesy.
+    group_findings(summary, {});  // what they come from is a courtesy
   }
-  group_findings(summary, causes);
   return finding_list_text(summary);
 }
 

@@ -80,7 +80,7 @@ std::vector<std::string> environment_of(const Limits& limits) {
   }
   // NAME=VALUE, which need not be in this program's environment.
   std::ranges::copy_if(limits.environment, std::back_inserter(environment),
-                       [](const std::string& entry) { return entry.find('=') != entry.npos; });
+                       [](const std::string& entry) { return entry.find('=') != std::string::npos; });
   environment.push_back(family_mark());
   return environment;
 }
