@@ -160,9 +160,9 @@ void ResultsFile::check_decision() {
       totals_, [](const auto& total) { return decision_of(total.first) == Decision::no_go; });
   const Json* stale = footer_->find("stale");
   const bool is_stale = stale != nullptr && !stale->items.empty();
-  const bool unjudged = judged_.empty() || std::ranges::any_of(judged_, [](const auto& dialect) {
-                          return !dialect.second;
-                        });
+  const bool unjudged =
+      judged_.empty() ||
+      std::ranges::any_of(judged_, [](const auto& dialect) { return !dialect.second; });
   const std::string_view decision = no_go || is_stale ? "NO-GO"
                                     : unjudged || unexpected_gap_ || answers_by_heart(*footer_)
                                         ? "UNDECIDED"

@@ -39,11 +39,12 @@ std::string in_tone(std::string_view text, Tone tone, bool colour) {
 }
 
 std::size_t length_of_tone(std::string_view text) {
-  for (const std::string_view code : {"1;32", "1;31", "1;33", "1", "0"}) {
-    const std::string whole = fmt::format("\x1b[{}m", code);
-    if (text.starts_with(whole)) return whole.size();
+  constexpr std::string_view kEnd = "\x1b[0m";
+  for (const Tone tone : {Tone::good, Tone::bad, Tone::unsure, Tone::strong}) {
+    const std::string begin = fmt::format("\x1b[{}m", code_of(tone));
+    if (text.starts_with(begin)) return begin.size();
   }
-  return 0;
+  return text.starts_with(kEnd) ? kEnd.size() : 0;
 }
 
 Tone tone_of(std::string_view decision) {
