@@ -16,6 +16,7 @@ export async function openBrowser(work, height = 900) {
   return chromium.launchPersistentContext(join(work, 'profile'), {
     executablePath: process.env.GONOGO_CHROMIUM ?? '/usr/bin/chromium', args: kFlags,
     viewport: { width: 1280, height }, colorScheme: 'light', offline: true,
+    reducedMotion: 'reduce',  // a place that is measured is where it stays: no page scrolls smoothly
   });
 }
 

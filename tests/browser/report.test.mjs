@@ -282,8 +282,7 @@ test('the timeline marks kinds, blocks and the departure, and the slider says th
   await page.keyboard.press('ArrowRight');
   await shows(page, '#position', 'subject 3 of 10');
   assert.match(await slider.getAttribute('aria-valuetext'), /^subject 3 of 10, feed/);
-  const [box] = await boxes(page, '#timeline');
-  await page.mouse.click(box.left + 1, box.top + box.height / 2);
+  await page.locator('#timeline').click({ position: { x: 1, y: 10 } });
   await shows(page, '#position', 'subject 1 of 10');
 }, atCase('gsk.g94.000002')));
 
@@ -292,7 +291,7 @@ test('the drawing stays in sight while what was wanted is read', () => withPage(
     await page.setViewportSize({ width, height });
     await page.locator('#sheet').waitFor();
     const [sheet, stepper, card] = await page.evaluate(() => {
-      document.querySelector('#want-got').scrollIntoView({ behavior: 'instant', block: 'center' });
+      document.querySelector('#want-got').scrollIntoView({ block: 'center' });
       return ['#sheet', '#stepper', '#want-got'].map((part) => document.querySelector(part).getBoundingClientRect()).map(({ top, bottom }) => [top, bottom]);
     });
     for (const [top, bottom] of [sheet, stepper]) assert.ok(top >= 0 && bottom <= height, JSON.stringify([width, sheet, stepper]));
@@ -556,7 +555,7 @@ test('a case fits one screen, with its drawing beside the program', () => withPa
   await page.locator('#sheet').waitFor();
   // From the top of the case, read at one moment: the page may still be scrolling.
   const places = await page.evaluate((parts) => {
-    document.querySelector('.case').scrollIntoView({ behavior: 'instant' });
+    document.querySelector('.case').scrollIntoView();
     const { top } = document.querySelector('.case').getBoundingClientRect();
     return parts.map((part) => document.querySelector(part).getBoundingClientRect()).map((box) => [box.top - top, box.bottom - top]);
   }, ['#program .at-fault', '#sheet', '.stepper']);
