@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "oracle/records/run_scope.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -33,17 +34,27 @@ std::string about(std::string_view text) {
   return !kind.empty() ? kind : text == "end" ? std::string(text) : std::string();
 }
 
-// The sentence without what changes from run to run: numbers, quoted parts.
+constexpr std::size_t kLongest = 80;  // bytes of a heading
+
+// The sentence with "..." for what changes from run to run: numbers, quoted parts.
 std::string constant_part(std::string_view message) {
-  constexpr std::size_t kLongest = 80;
+  constexpr std::string_view kQuotes = "\"`";
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string text;
-  bool quoted = false;
-  for (const char c : message) {
-    if (c == '"' || c == '`') quoted = !quoted;
-    if (!quoted && (c < '0' || c > '9')) text += c;
-    if (text.size() == kLongest) break;
+  for (std::size_t at = 0; at < message.size(); ++at) {
+    if (is_digit(message[at])) {
+      text += "...";
+      while (at + 1 < message.size() && is_digit(message[at + 1])) ++at;
+      continue;
+    }
+    text += message[at];
+    if (kQuotes.find(message[at]) == std::string_view::npos) continue;
+    text += "...";
+    at = message.find(message[at], at + 1);
+    if (at == std::string_view::npos) break;
+    text += message[at];
   }
-  return text;
+  return excerpt(text, kLongest);
 }
 
 bool is_finding(const CaseHead& line, VerdictKind kind) {
@@ -55,6 +66,15 @@ bool is_finding(const CaseHead& line, VerdictKind kind) {
 auto size_of(const Finding::Example& example) {
   return std::tuple(example.blocks == 0, example.blocks, example.bytes,
                     std::string_view(example.id));
+}
+
+// A motion of another kind, which is not the traverse that collides: less grave than a wrong place.
+bool is_label(const Finding::Key& key) {
+  const std::size_t slash = key.what.find('/');
+  if (slash == std::string::npos) return false;
+  const std::string_view want = std::string_view(key.what).substr(0, slash);
+  const std::string_view got = std::string_view(key.what).substr(slash + 1);
+  return !want.empty() && !got.empty() && want != got && got != "rapid";
 }
 
 }  // namespace
@@ -94,7 +114,9 @@ std::string Cause::text() const {
 std::string Finding::text() const {
   std::string out(name(key.kind));
   if (!key.clause.empty()) out += " at " + key.clause;
-  std::string_view what = key.what;
+  const bool is_said = is_breakdown(key.kind) && has_one_message && !smallest.message.empty();
+  const std::string said = is_said ? excerpt(smallest.message, kLongest) : key.what;
+  const std::string_view what = said;
   const std::size_t slash = what.find('/');
   if (is_breakdown(key.kind) || slash == std::string_view::npos) {
     return what.empty() ? out : fmt::format("{} ({})", out, what);
@@ -141,6 +163,7 @@ const Finding* Findings::add(const CaseHead& line, VerdictKind kind) {
   ++finding.by_cycle[line.cycle];
   if (finding.first.size() < kFirstOfFinding) finding.first.push_back(line.id);
   const Finding::Example example{line.id, line.message, line.program_blocks, line.program_bytes};
+  finding.has_one_message &= added || line.message == finding.smallest.message;
   is_smallest_ = added || size_of(example) < size_of(finding.smallest);
   if (is_smallest_) finding.smallest = example;
   return &finding;
@@ -158,8 +181,8 @@ std::vector<const Finding*> Findings::list(Order order) const {
     if (order == Order::cycle && a->cycle() != b->cycle()) {
       return NaturalOrder()(a->cycle(), b->cycle());
     }
-    return std::tuple(a->key.gravity, size_of(a->smallest)) <
-           std::tuple(b->key.gravity, size_of(b->smallest));
+    return std::tuple(a->key.gravity, is_label(a->key), size_of(a->smallest)) <
+           std::tuple(b->key.gravity, is_label(b->key), size_of(b->smallest));
   });
   std::vector<const Finding*> together;
   for (const Finding* finding : all) {

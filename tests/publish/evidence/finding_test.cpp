@@ -70,6 +70,34 @@ TEST(Findings, a_wrong_path_comes_before_a_wrong_alarm_and_the_smaller_before_th
   EXPECT_EQ(order, (std::vector<std::string>{"small", "large", "feed", "alarm"}));
 }
 
+TEST(Findings, a_feed_for_a_traverse_comes_behind_a_wrong_place_and_a_traverse_for_a_feed) {
+  Findings findings;
+  const auto kind = VerdictKind::fail_geometry;
+  findings.add(departing("label", "A", 1, kRapid, kFeed), kind);
+  findings.add(departing("place", "B", 3, kFeed, kFeed), kind);
+  findings.add(departing("traverse", "C", 2, kFeed, kRapid), kind);
+  std::vector<std::string> order;
+  for (const Finding* finding : findings.list()) order.push_back(finding->smallest.id);
+  EXPECT_EQ(order, (std::vector<std::string>{"traverse", "place", "label"}));
+}
+
+CaseHead broken_down(const char* id, const char* message) {
+  CaseHead head = departing(id, "", 1, "", "");
+  head.message = message;
+  return head;
+}
+
+TEST(Findings, a_breakdown_keeps_its_numbers_while_all_cases_say_the_same) {
+  Findings findings;
+  findings.add(broken_down("a", "It ended by signal 11 after \"G94 X1\"."), VerdictKind::crash);
+  findings.add(broken_down("b", "It ended by signal 11 after \"G94 X1\"."), VerdictKind::crash);
+  ASSERT_EQ(findings.list().size(), 1U);
+  EXPECT_EQ(findings.list()[0]->text(), "crash (It ended by signal 11 after \"G94 X1\".)");
+  findings.add(broken_down("c", "It ended by signal 6 after \"G80\"."), VerdictKind::crash);
+  ASSERT_EQ(findings.list().size(), 1U);
+  EXPECT_EQ(findings.list()[0]->text(), "crash (It ended by signal ... after \"...\".)");
+}
+
 TEST(Findings, those_of_one_cause_stand_together) {
   Findings findings;
   findings.add(departing("one", "A", 1, "", ""), VerdictKind::fail_geometry);
