@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/hunt_causes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -78,14 +80,6 @@ Asked symptoms_to_ask(const std::string& folder, const hunt::HuntSummary& summar
   return asked;
 }
 
-// At most so many, spread evenly.
-std::vector<ProgramAsked> spread(std::vector<ProgramAsked> all) {
-  std::vector<ProgramAsked> some;
-  const std::size_t count = std::min(kMostOthers, all.size());
-  for (std::size_t i = 0; i < count; ++i) some.push_back(std::move(all[i * all.size() / count]));
-  return some;
-}
-
 // Programs that showed something new, from all shards.
 std::vector<ProgramAsked> other_programs(const std::string& folder) {
   std::vector<ProgramAsked> all;
@@ -96,7 +90,7 @@ std::vector<ProgramAsked> other_programs(const std::string& folder) {
                      program.profile});
     }
   }
-  return spread(std::move(all));
+  return spread(all, kMostOthers);
 }
 
 hunt::Causes causes_of(const Asked& asked, const std::vector<ProgramAsked>& others,
@@ -168,7 +162,7 @@ std::string list_findings(const std::vector<hunt::Finding>& findings, const hunt
     others.push_back({"tried", std::move(program.text), program.profile});
   }
   try {
-    group_findings(summary, causes_of(asked, spread(std::move(others)), words));
+    group_findings(summary, causes_of(asked, spread(others, kMostOthers), words));
   } catch (const oracle::SubjectUnusable&) {
     group_findings(summary, {});  // what they come from is a courtesy
   }

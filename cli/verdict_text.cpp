@@ -11,6 +11,7 @@
 #include "oracle/records/cycle_table.hpp"
 #include "oracle/records/finding_text.hpp"
 #include "oracle/records/followed_readings.hpp"
+#include "oracle/records/text.hpp"
 #include "publish/report/clauses.hpp"
 
 namespace gonogo::cli {
@@ -182,9 +183,12 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
   if (shown > kShownFindings) text += "\n";
   if (summary.causes_asked > 0) {
     text += fmt::format(
-        "A cause was looked for in {} of {} (--causes), and {}.\n\n", summary.causes_asked,
+        "A cause was looked for in {} of {} (--causes), and {}.{}\n\n", summary.causes_asked,
         oracle::counted(shown, "finding", "findings"),
-        explained == 0 ? "none was found" : fmt::format("explains {} of them", explained));
+        explained == 0 ? "none was found" : fmt::format("explains {} of them", explained),
+        explained == shown ? ""
+                           : " Where two mistakes meet no one of them explains it: mend the first "
+                             "finding and run again.");
   }
   return text;
 }

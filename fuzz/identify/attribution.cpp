@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <set>
 #include <string_view>
 
@@ -140,13 +141,6 @@ Motions codes_that_matter(const Observation& seen) {
   return motions;
 }
 
-// As many as wanted, spread evenly.
-void spread(const std::vector<ProgramAsked>& from, std::size_t wanted,
-            std::vector<ProgramAsked>& out) {
-  const std::size_t count = std::min(wanted, from.size());
-  for (std::size_t i = 0; i < count; ++i) out.push_back(from[i * from.size() / count]);
-}
-
 // Programs of the corpus, those with a code that matters first.
 struct Programs {
   std::vector<ProgramAsked> first;
@@ -167,11 +161,9 @@ Programs programs_like(const oracle::Corpus& corpus, const Observation& seen,
     });
     (like ? alike : others).push_back({test->id, test->program, test->profile});
   }
-  Programs programs;
-  spread(alike, options.alike, programs.first);
-  spread(others, options.others, programs.first);
-  spread(alike, options.more * 3 / 4, programs.then);
-  spread(others, options.more / 4, programs.then);
+  Programs programs{spread(alike, options.alike), spread(alike, options.more * 3 / 4)};
+  std::ranges::move(spread(others, options.others), std::back_inserter(programs.first));
+  std::ranges::move(spread(others, options.more / 4), std::back_inserter(programs.then));
   return programs;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/identify/explanation.hpp"
 
+#include <algorithm>
+
 #include "grammar/parser.hpp"
 #include "fuzz/identify/same_path.hpp"
 #include "fuzz/program/text.hpp"
@@ -9,6 +11,13 @@
 namespace gonogo::identify {
 
 using oracle::Decision;
+
+std::vector<ProgramAsked> spread(const std::vector<ProgramAsked>& all, std::size_t most) {
+  std::vector<ProgramAsked> some;
+  const std::size_t count = std::min(most, all.size());
+  for (std::size_t i = 0; i < count; ++i) some.push_back(all[i * all.size() / count]);
+  return some;
+}
 
 namespace {
 

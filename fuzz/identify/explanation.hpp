@@ -5,6 +5,9 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "fuzz/identify/variant.hpp"
 
@@ -16,6 +19,9 @@ struct ProgramAsked {
   std::string program;
   Profile profile;
 };
+
+// At most so many of them, spread evenly.
+std::vector<ProgramAsked> spread(const std::vector<ProgramAsked>& all, std::size_t most);
 
 // How, and how long, a subject is compared with mistakes.
 struct ExplanationTerms {

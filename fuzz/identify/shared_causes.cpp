@@ -7,6 +7,8 @@
 namespace gonogo::identify {
 namespace {
 
+constexpr std::size_t kMostDeparting = 40;  // other programs that mistakes are told apart by
+
 class Sharing {
  public:
   Sharing(oracle::Subject& subject, const ExplanationTerms& terms) : explainer_(subject, terms) {}
@@ -28,12 +30,15 @@ class Sharing {
   // Those that explain the first symptom that is open, the one that explains most first.
   std::vector<Candidate> candidates(const Variants& variants);
   bool keeps_passes(const Variant& variant);
+  // That of those which explain most symptoms that explains most other departures; null: none.
+  const Candidate* best_of(const std::vector<Candidate>& all);
   // Takes the symptoms of the first open one's cause away, or that symptom alone.
   void close_first();
 
   Explainer explainer_;
   std::vector<Symptom> open_;
   std::vector<Observation> passing_;
+  std::vector<Observation> departing_;  // other programs: what a smallest one shows alike
   SharedCauses found_;
 };
 
@@ -47,7 +52,12 @@ void Sharing::add_symptoms(std::span<const ProgramAsked> symptoms) {
 void Sharing::add_others(std::span<const ProgramAsked> others) {
   for (const ProgramAsked& other : others) {
     std::optional<Observation> seen = explainer_.observe(other);
-    if (seen && !seen->departs()) passing_.push_back(*std::move(seen));
+    if (!seen) continue;
+    if (!seen->departs()) {
+      passing_.push_back(*std::move(seen));
+    } else if (departing_.size() < kMostDeparting) {
+      departing_.push_back(*std::move(seen));
+    }
   }
   found_.passes = passing_.size();
 }
@@ -77,17 +87,33 @@ bool Sharing::keeps_passes(const Variant& variant) {
       passing_, [&](const Observation& seen) { return explainer_.explains(variant, seen); });
 }
 
+// A smallest program may show too little: where every H is 1, "one too few" does as "ignored".
+const Sharing::Candidate* Sharing::best_of(const std::vector<Candidate>& all) {
+  const Candidate* best = nullptr;
+  std::ptrdiff_t most = -1;
+  for (const Candidate& candidate : all) {
+    if (best != nullptr && candidate.explained.size() < best->explained.size()) break;
+    if (!keeps_passes(*candidate.variant)) continue;
+    const std::ptrdiff_t explained = std::ranges::count_if(
+        departing_,
+        [&](const Observation& seen) { return explainer_.explains(*candidate.variant, seen); });
+    if (explainer_.is_spent()) break;
+    if (explained > most) best = &candidate;
+    most = std::max(most, explained);
+  }
+  return best;
+}
+
 void Sharing::close_first() {
   explainer_.begin_anew();  // one that is too long leaves the others their chance
   std::vector<std::size_t> closed = {0};
   const Variants variants = variants_for(open_.front().seen);
-  for (const Candidate& candidate : candidates(variants)) {
-    if (!keeps_passes(*candidate.variant) || explainer_.is_spent()) continue;
-    closed = candidate.explained;
-    SharedCause cause{candidate.variant->name, {}, passing_.size()};
+  const std::vector<Candidate> all = candidates(variants);
+  if (const Candidate* best = best_of(all)) {
+    closed = best->explained;
+    SharedCause cause{best->variant->name, {}, passing_.size()};
     for (const std::size_t i : closed) cause.symptoms.push_back(open_[i].number);
     found_.causes.push_back(std::move(cause));
-    break;
   }
   for (auto i = closed.rbegin(); i != closed.rend(); ++i) {
     open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(*i));

@@ -28,7 +28,8 @@ struct SharedCauses {
 };
 
 // `symptoms` are programs on which the subject departs, each by itself; `others` programs of which
-// those that pass must pass with a mistake, too. A symptom that no mistake explains is of no cause.
+// those that pass must pass with a mistake, too, and the others tell mistakes apart that explain
+// as many symptoms. A symptom that no mistake explains is of no cause.
 // The same symptoms in the same order have the same causes. Throws SubjectUnusable.
 SharedCauses find_shared_causes(oracle::Subject& subject, std::span<const ProgramAsked> symptoms,
                                 std::span<const ProgramAsked> others,

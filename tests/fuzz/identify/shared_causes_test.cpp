@@ -4,6 +4,7 @@
 // two. The names are those of what a fault does.
 #include "fuzz/identify/shared_causes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -152,6 +153,23 @@ TEST(SharedCauses, AProgramIsHeldAgainstMistakesAsTheGrammarPrintsIt) {
   const SharedCauses found = find_shared_causes(*subject, symptoms, others, {});
   ASSERT_EQ(names(found), std::vector<std::string>{kUnsigned});
   EXPECT_EQ(found.causes.front().symptoms.size(), 3U);
+}
+
+// A reduced program has H1, of which "one too few" and "ignored" make the same; another tells them
+// apart.
+TEST(SharedCauses, OtherDeparturesTellMistakesApartThatASmallestProgramDoesNot) {
+  const auto subject = builtin("ngc", "g76-h-total");
+  const Profile machine = testing::default_machine("rs274");
+  const auto threaded = [](const char* passes) {
+    return fmt::format("G18 G0 X0 Z30\nM3 S100\nG76 P2 Z20 I-1 J0.5 K1.2 R2 {}\nM2\n", passes);
+  };
+  const std::vector<ProgramAsked> symptoms = {{"smallest", threaded("H1"), machine}};
+  const std::vector<ProgramAsked> others = {{"without", threaded("H0"), machine},
+                                            {"other", threaded("H3"), machine}};
+  const std::string ignored = "H is ignored";
+  EXPECT_EQ(names(find_shared_causes(*subject, symptoms, {}, {})), std::vector{ignored});
+  const std::vector<std::string> told = names(find_shared_causes(*subject, symptoms, others, {}));
+  EXPECT_EQ(told, std::vector<std::string>{"H counts one too few"});
 }
 
 TEST(SharedCauses, AreNotNamedWithMoreRecordsThanTheyMayTake) {
