@@ -8,12 +8,12 @@
 #include "cli/commands.hpp"
 #include "cli/diagnostics.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/formats.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "oracle/steps/different_assignments.hpp"
 #include "oracle/judge/time_rows.hpp"
 #include "oracle/records/run_scope.hpp"
+#include "publish/manual/motion_text.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::cli {
@@ -64,9 +64,7 @@ void check_block(NumberedLines& lines, long block) {
 class Explanation {
  public:
   Explanation(const reference::Profile& profile, NumberedLines& lines)
-      : lines_(lines),
-        choice_(profile.readings.shown()),
-        table_(make_record_format("table", profile, "")) {}
+      : lines_(lines), choice_(profile.readings.shown()) {}
 
   bool empty() const { return block_ == 0; }
   void note(const reference::Warning& warning, std::uint64_t line, std::string& out) {
@@ -86,10 +84,7 @@ class Explanation {
       const reference::Reading& reading = reference::reading(key);
       out += fmt::format("    reading {}={}: {}\n", reading.name, choice_.get(key), reading.text);
     }
-    std::string row;
-    table_->record(record, row);
-    const std::size_t last = row.rfind('\n', row.size() - 2);
-    out += "  " + row.substr(last == std::string::npos ? 0 : last + 1);
+    out += fmt::format("    {}\n", oracle::manual::motion_text(record));
   }
 
  private:
@@ -102,7 +97,6 @@ class Explanation {
 
   NumberedLines& lines_;
   reference::ReadingChoice choice_;  // as it is shown
-  std::unique_ptr<RecordFormat> table_;
   std::uint64_t block_ = 0;
   reference::ClauseId clause_ = reference::kNoClause;
 };

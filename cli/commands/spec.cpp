@@ -48,6 +48,46 @@ bool concerns(std::string_view name, std::string_view word) {
   return false;
 }
 
+// G28 as the word G28, g28 or G028.
+std::string plain_code(std::string_view word) {
+  std::string code(1, static_cast<char>(std::toupper(static_cast<unsigned char>(word.front()))));
+  word.remove_prefix(1);
+  while (word.size() > 1 && word.front() == '0' && word[1] != '.') word.remove_prefix(1);
+  return code.append(word);
+}
+
+bool is_code(std::string_view code, std::string_view about) {
+  return !about.empty() && plain_code(code) == plain_code(about);
+}
+
+bool concerns(const reference::Code& code, std::string_view about) {
+  return concerns(code.name, about) || concerns(code.feature, about) || is_code(code.text(), about);
+}
+
+// Whether a sentence names a code, and not only the beginning of a longer one.
+bool names_code(std::string_view text, std::string_view code) {
+  const auto goes_on = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t at = text.find(code); at != std::string_view::npos;
+       at = text.find(code, at + 1)) {
+    const std::size_t end = at + code.size();
+    if ((at == 0 || !goes_on(text[at - 1])) && (end == text.size() || !goes_on(text[end]))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Also a clause that a code asked for stands on, or that names it.
+bool concerns(const reference::Dialect& dialect, const reference::Clause& clause,
+              std::string_view about) {
+  if (concerns(clause.id, about)) return true;
+  return std::ranges::any_of(dialect.descriptor->codes, [&](const reference::Code& code) {
+    if (code.is_m() || !is_code(code.text(), about)) return false;
+    return reference::clause_name(code.clause) == clause.id ||
+           names_code(clause.text, code.text());
+  });
+}
+
 void append_features(std::string& out) {
   for (const oracle::Feature& feature : oracle::feature_vocabulary()) {
     out += fmt::format("{:<12} {:<10} {}\n", feature.dialect, feature.name, feature.text);
@@ -85,7 +125,7 @@ void append_alarm_classes(std::string& out) {
 void append_clauses(const reference::Dialect& dialect, std::string_view about, std::string& out) {
   std::string_view source;
   for (const reference::Clause& clause : dialect.clauses) {
-    if (!concerns(clause.id, about)) continue;
+    if (!concerns(dialect, clause, about)) continue;
     if (clause.source != source) {
       source = clause.source;
       out += fmt::format("\n{}\n", source);
@@ -123,7 +163,7 @@ void append_codes(const reference::Dialect& dialect, std::string_view about, std
   out += "\nCodes that are read, and their words (modal: they stay in force)\n";
   for (const reference::Code& code : dialect.descriptor->codes) {
     if (code.treatment != reference::Treatment::read || code.is_m()) continue;
-    if (!concerns(code.name, about) && !concerns(code.feature, about)) continue;
+    if (!concerns(code, about)) continue;
     out += fmt::format("  {:<6} {} [{}]", code.text(), code.title, code.feature);
     if (code.clause != reference::kNoClause) {
       out += fmt::format(" ({})", reference::clause_name(code.clause));
@@ -134,12 +174,19 @@ void append_codes(const reference::Dialect& dialect, std::string_view about, std
   }
 }
 
-void append_outside(const reference::Dialect& dialect, std::string& out) {
-  out += "\nOutside: codes of the control that the gauge does not read (not-covered)\n";
+void append_outside(const reference::Dialect& dialect, std::string_view about, std::string& out) {
+  std::string codes;
   for (const reference::OutsideCode& code : reference::outside_codes(*dialect.descriptor)) {
-    out += fmt::format("  {:<6} {}\n", code.code, code.title);
+    if (!about.empty() && !is_code(code.code, about)) continue;
+    codes += fmt::format("  {:<6} {}\n", code.code, code.title);
   }
-  out += fmt::format("  {}\n", dialect.outside_constructs);
+  const std::string heading =
+      "\nOutside: codes of the control that the gauge does not read (not-covered)\n";
+  if (!about.empty()) {
+    if (!codes.empty()) out += heading + codes;
+    return;
+  }
+  out += fmt::format("{}{}  {}\n", heading, codes, dialect.outside_constructs);
   out += "\nIgnored: codes without effect on the path\n ";
   for (const std::string& code : reference::codes_without_effect(*dialect.descriptor)) {
     out += fmt::format(" {}", code);
@@ -170,6 +217,15 @@ int write_pages(const SpecOptions& options) {
   return kGo;
 }
 
+bool concerns(const reference::Dialect& dialect, std::string_view about) {
+  return std::ranges::any_of(dialect.clauses,
+                             [&](const auto& one) { return concerns(dialect, one, about); }) ||
+         std::ranges::any_of(dialect.descriptor->codes,
+                             [&](const auto& one) { return concerns(one, about); }) ||
+         std::ranges::any_of(reference::outside_codes(*dialect.descriptor),
+                             [&](const auto& one) { return is_code(one.code, about); });
+}
+
 int spec(const SpecOptions& options) {
   Output output;
   if (options.alarms) {
@@ -188,16 +244,14 @@ int spec(const SpecOptions& options) {
   bool has_any = false;
   for (const reference::Dialect& dialect : reference::dialects()) {
     if (!options.dialect.empty() && options.dialect != dialect.name) continue;
-    const bool has_clauses = std::ranges::any_of(
-        dialect.clauses, [&](const auto& clause) { return concerns(clause.id, options.about); });
-    if (!has_clauses) continue;
+    if (!concerns(dialect, options.about)) continue;
     has_any = true;
     output.text() +=
         fmt::format("Dialect {}\nTexts: {}.\n", dialect.name, reference::editions_of(dialect.name));
     append_clauses(dialect, options.about, output.text());
     append_readings(dialect.name, options.about, output.text());
     append_codes(dialect, options.about, output.text());
-    if (options.about.empty()) append_outside(dialect, output.text());
+    append_outside(dialect, options.about, output.text());
   }
   if (!has_any) {
     throw UsageError(fmt::format(
