@@ -34,7 +34,7 @@ std::string about(std::string_view text) {
   return !kind.empty() ? kind : text == "end" ? std::string(text) : std::string();
 }
 
-constexpr std::size_t kLongest = 80;  // bytes of a heading
+constexpr std::size_t kLongestHeading = 80;  // bytes of a heading
 
 // The sentence with "..." for what changes from run to run: numbers, quoted parts.
 std::string constant_part(std::string_view message) {
@@ -54,7 +54,7 @@ std::string constant_part(std::string_view message) {
     if (at == std::string_view::npos) break;
     text += message[at];
   }
-  return excerpt(text, kLongest);
+  return excerpt(text, kLongestHeading);
 }
 
 bool is_finding(const CaseHead& line, VerdictKind kind) {
@@ -115,7 +115,7 @@ std::string Finding::text() const {
   std::string out(name(key.kind));
   if (!key.clause.empty()) out += " at " + key.clause;
   const bool is_said = is_breakdown(key.kind) && has_one_message && !smallest.message.empty();
-  const std::string said = is_said ? excerpt(smallest.message, kLongest) : key.what;
+  const std::string said = is_said ? excerpt(smallest.message, kLongestHeading) : key.what;
   const std::string_view what = said;
   const std::size_t slash = what.find('/');
   if (is_breakdown(key.kind) || slash == std::string_view::npos) {
