@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/power_on.hpp"
 
+#include <fmt/format.h>
+
+#include <variant>
+
 #include "reference/dialect.hpp"
 
 namespace gonogo::reference {
@@ -35,6 +39,17 @@ std::vector<const Code*> power_on_codes(const Profile& profile) {
     if (code.is_initial || is_in_force(code.setting, profile)) codes.push_back(&code);
   }
   return codes;
+}
+
+std::string power_on_text(std::string_view dialect) {
+  const ProfileResult made = default_profile(dialect);
+  const auto& profile = std::get<Profile>(made);
+  std::string text;
+  for (const Code* code : power_on_codes(profile)) text += code->text() + " ";
+  const int motion = profile.initial.motion;
+  return fmt::format("{}and {}; X is a {}; no feed, every axis at 0", text,
+                     motion == kNoMotion ? "no motion" : fmt::format("G{:02}", motion),
+                     profile.x_diameter ? "diameter" : "length");
 }
 
 }  // namespace gonogo::reference

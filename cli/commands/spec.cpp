@@ -18,6 +18,7 @@
 #include "publish/manual/page.hpp"
 #include "reference/dialect.hpp"
 #include "reference/editions.hpp"
+#include "reference/power_on.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::cli {
@@ -246,8 +247,9 @@ int spec(const SpecOptions& options) {
     if (!options.dialect.empty() && options.dialect != dialect.name) continue;
     if (!concerns(dialect, options.about)) continue;
     has_any = true;
-    output.text() +=
-        fmt::format("Dialect {}\nTexts: {}.\n", dialect.name, reference::editions_of(dialect.name));
+    output.text() += fmt::format("Dialect {}, at power-on {}.\nTexts: {}.\n", dialect.name,
+                                 reference::power_on_text(dialect.name),
+                                 reference::editions_of(dialect.name));
     append_clauses(dialect, options.about, output.text());
     append_readings(dialect.name, options.about, output.text());
     append_codes(dialect, options.about, output.text());

@@ -9,6 +9,7 @@
 
 #include "publish/manual/page_parts.hpp"
 #include "reference/editions.hpp"
+#include "reference/power_on.hpp"
 
 namespace gonogo::oracle::manual {
 namespace {
@@ -78,6 +79,7 @@ void append_head(PageDraft& page, const std::vector<Section>& sections) {
       "compares "
       "this page with what the program says, so change the catalog, not the page.\n\n"
       "**Texts**: {2}.\n\n"
+      "**At power-on**: {3}.\n\n"
       "**Clauses** are what the manual says, one thing each: `must` stands in the text, `derived` "
       "follows from it, `open` is left open by it and settled here. The **basis** is what a "
       "departure departs from: `text`, the section above the table; `derived`, with its "
@@ -97,7 +99,7 @@ void append_head(PageDraft& page, const std::vector<Section>& sections) {
       "makes.\n\n",
       page.dialect,
       page.lathe ? " X is a diameter in a program and a radius in drawings and motions." : "",
-      reference::editions_of(page.dialect));
+      reference::editions_of(page.dialect), reference::power_on_text(page.dialect));
   for (std::size_t i = 0; i < sections.size(); ++i) {
     page.text += fmt::format("- [{}](#section-{})\n", sections[i].source, i + 1);
   }

@@ -284,7 +284,7 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/arc.cpp"},
     {"GSK-COM-02", derived, kBasic,
      "A G code that the control lacks, one with decimals too, and text that cannot be read, are "
-     "alarms; the text after a semicolon is ignored.",
+     "alarms; a comment in brackets and the text after a semicolon are ignored.",
      "reference/gsk988ta/codes.cpp"},
     {"GSK-COM-03", open, kBasic,
      "A length with more decimals than the least increment has keeps its exact value.",
@@ -296,7 +296,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "the position, feed modes, M, S and T; the arc's rules for R and I J K.",
      "reference/gsk988ta/basic_motion.cpp"},
     {"GSK-COM-06", derived, kBasic,
-     "The ranges of the words hold in the blocks of the cycles that use them.",
+     "The ranges of the words hold in the blocks of the cycles that use them: to 999999.999 mm or "
+     "99999.9999 inch, in ISC to a tenth of it; I L Q D E J K and P of a thread take no sign.",
      "reference/gsk988ta/words.cpp"},
     {"GSK-WRD-01", derived, kBasic,
      "Every word of a block is used by its code, or ignored by a rule of the list below, or it "
