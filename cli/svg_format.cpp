@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/exit_code.hpp"
+#include "cli/program_file.hpp"
 #include "publish/report/sheet.hpp"
 
 namespace gonogo::cli {
