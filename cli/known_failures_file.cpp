@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
@@ -25,6 +24,15 @@ std::string head_of(const std::string& text) {
   return head;
 }
 
+// A folder may be there and take no file, as /proc does.
+bool takes_a_file(const std::string& path) try {
+  if (std::filesystem::is_directory(path)) return false;
+  const oracle::OutputFile trial(path);
+  return true;
+} catch (const std::system_error&) {
+  return false;
+}
+
 }  // namespace
 
 KnownFailuresFile::KnownFailuresFile(std::string path, const std::string& known)
@@ -38,12 +46,7 @@ KnownFailuresFile::KnownFailuresFile(std::string path, const std::string& known)
                     "{0} as well.",
                     path_));
   }
-  try {
-    // A folder may be there and take no file, as /proc does.
-    if (std::filesystem::is_directory(path_))
-      throw std::system_error(EISDIR, std::generic_category());
-    const oracle::OutputFile trial(path_);
-  } catch (const std::system_error&) {
+  if (!takes_a_file(path_)) {
     throw UsageError(fmt::format("{} cannot be written. Name a file in a folder that can.", path_));
   }
   if (!known.empty()) head_ = head_of(read_file(known, "a file of known failures"));

@@ -227,9 +227,9 @@ Json Summary::headline(const Json& header, const Json* footer, std::uint64_t bad
     reasons.push_back("The gauge itself failed on at least one case (oracle-error).");
   }
   const RunConditions conditions = conditions_of(header, footer == nullptr ? Json() : *footer);
-  if (conditions.fresh && !hardly_answered(*conditions.fresh).empty()) {
-    reasons.push_back("Hardly any fresh program of dialect " + hardly_answered(*conditions.fresh) +
-                      " was judged.");
+  const std::string hardly = hardly_answered(conditions.fresh.value_or(FreshCounts()));
+  if (!hardly.empty()) {
+    reasons.push_back("Hardly any fresh program of dialect " + hardly + " was judged.");
   }
   const std::string said = footer != nullptr ? text_of(*footer, "decision") : "";
   const bool undecided = said == "UNDECIDED" && whole;
