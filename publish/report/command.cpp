@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 
 #include "oracle/records/fresh_counts.hpp"
 #include "oracle/records/text.hpp"
@@ -50,7 +51,11 @@ std::string program_word() {
       return "./gonogo";
     }
   }
-  return "gonogo";
+  // A copy that was called as ./gonogo is found again as ./gonogo.
+  std::string called;
+  std::ifstream words("/proc/self/cmdline");
+  std::getline(words, called, '\0');
+  return called.starts_with("./") ? shell_quoted(called) : "gonogo";
 }
 
 std::string command_for_case(const Json& header, CaseOf of) {
