@@ -61,16 +61,16 @@ TEST(IdSpans, KeepTheIdsOfFilesThatInterleave) {
 
 // Against a set of all ids; a file is read anew once at most.
 TEST(IdSpans, SayWhatASetOfAllIdsSays) {
-  Trials trials(2'000);
+  constexpr long kTrials = 2'000;
   long repeated = 0;
-  for (long i = 0; i < trials.count; ++i) {
+  each_trial(kTrials, [&](Chance& chance) {
     Files files;
     std::set<std::string> all;
     for (std::size_t file = 0; file < 12; ++file) {
       std::set<std::string> own;
-      const std::size_t begin = trials.below(2'000);
-      for (std::size_t count = trials.below(5); count > 0; --count) {
-        own.insert(std::to_string(10'000 + begin + trials.below(60)));
+      const std::size_t begin = chance.below(2'000);
+      for (std::size_t count = chance.below(5); count > 0; --count) {
+        own.insert(std::to_string(10'000 + begin + chance.below(60)));
       }
       const auto again =
           std::ranges::find_if(own, [&](const auto& id) { return all.contains(id); });
@@ -84,8 +84,8 @@ TEST(IdSpans, SayWhatASetOfAllIdsSays) {
       all.insert(own.begin(), own.end());
     }
     ASSERT_LE(files.reads, files.files.size());
-  }
-  EXPECT_GT(repeated, trials.count / 20);
+  });
+  EXPECT_GT(repeated, trial_count(kTrials) / 20);
 }
 
 }  // namespace

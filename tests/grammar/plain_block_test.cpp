@@ -25,62 +25,62 @@ constexpr std::string_view kPieces[] = {
 // clang-format on
 constexpr std::string_view kLetters = "XYZACUVWIJKRGMFSTDHPQLENOBxgn";
 
-std::string any_number(Trials& trials) {
-  std::string text = trials.once_in(3) ? "-" : trials.once_in(9) ? "+" : "";
-  for (std::size_t i = trials.below(4); i > 0; --i) {
-    text += static_cast<char>('0' + trials.below(10));
+std::string any_number(Chance& chance) {
+  std::string text = chance.once_in(3) ? "-" : chance.once_in(9) ? "+" : "";
+  for (std::size_t i = chance.below(4); i > 0; --i) {
+    text += static_cast<char>('0' + chance.below(10));
   }
-  if (trials.once_in(2)) text += '.';
-  for (std::size_t i = trials.below(4); i > 0; --i) {
-    text += static_cast<char>('0' + trials.below(10));
+  if (chance.once_in(2)) text += '.';
+  for (std::size_t i = chance.below(4); i > 0; --i) {
+    text += static_cast<char>('0' + chance.below(10));
   }
   return text;
 }
 
 // A line as programs have them.
-std::string usual_line(Trials& trials) {
-  std::string text = trials.once_in(3) ? "N" + std::to_string(trials.below(10000)) : "";
-  for (std::size_t i = trials.below(6); i > 0; --i) {
-    if (!trials.once_in(3)) text += ' ';
-    if (trials.once_in(12)) {
-      text += trials.one_of({"CR=", "AR = ", "RP=", "(a)", "X=", "TURN="});
+std::string usual_line(Chance& chance) {
+  std::string text = chance.once_in(3) ? "N" + std::to_string(chance.below(10000)) : "";
+  for (std::size_t i = chance.below(6); i > 0; --i) {
+    if (!chance.once_in(3)) text += ' ';
+    if (chance.once_in(12)) {
+      text += chance.one_of({"CR=", "AR = ", "RP=", "(a)", "X=", "TURN="});
     } else {
-      text += trials.one_of(kLetters);
+      text += chance.one_of(kLetters);
     }
-    if (trials.once_in(12)) text += ' ';
-    text += any_number(trials);
+    if (chance.once_in(12)) text += ' ';
+    text += any_number(chance);
   }
-  if (trials.once_in(4)) text += trials.once_in(2) ? ";" : " ; done";
+  if (chance.once_in(4)) text += chance.once_in(2) ? ";" : " ; done";
   return text;
 }
 
 // Some of its bytes changed, taken out or put in.
-void mutate(std::string& text, Trials& trials) {
-  for (std::size_t i = trials.below(3); i > 0; --i) {
-    const std::size_t at = trials.below(text.size() + 1);
-    const std::string piece(trials.one_of(kPieces));
-    const std::size_t removed = trials.once_in(2) ? trials.below(3) : 0;
+void mutate(std::string& text, Chance& chance) {
+  for (std::size_t i = chance.below(3); i > 0; --i) {
+    const std::size_t at = chance.below(text.size() + 1);
+    const std::string piece(chance.one_of(kPieces));
+    const std::size_t removed = chance.once_in(2) ? chance.below(3) : 0;
     text.replace(at, std::min(removed, text.size() - at), piece);
   }
 }
 
-std::string any_text(Trials& trials) {
+std::string any_text(Chance& chance) {
   std::string text;
-  if (trials.once_in(3)) {
-    for (std::size_t i = trials.below(9); i > 0; --i) text += trials.one_of(kPieces);
+  if (chance.once_in(3)) {
+    for (std::size_t i = chance.below(9); i > 0; --i) text += chance.one_of(kPieces);
     return text;
   }
-  text = usual_line(trials);
-  mutate(text, trials);
+  text = usual_line(chance);
+  mutate(text, chance);
   return text;
 }
 
 TEST(PlainBlock, ReadsEveryTextAsTheGrammarsDo) {
-  Trials trials(20'000);
+  constexpr long kTrials = 20'000;
   long plain = 0;
   Block block;
-  for (long i = 0; i < trials.count; ++i) {
-    const std::string text = any_text(trials);
+  each_trial(kTrials, [&](Chance& chance) {
+    const std::string text = any_text(chance);
     for (const Dialect dialect : kDialects) {
       ASSERT_NO_FATAL_FAILURE(expect_both_read_alike(dialect, text));
       block.clear();
@@ -90,10 +90,10 @@ TEST(PlainBlock, ReadsEveryTextAsTheGrammarsDo) {
         ASSERT_EQ(block, Block()) << text;
       }
     }
-  }
+  });
   // Both ways are taken, else there would be nothing to compare.
-  EXPECT_GT(plain, trials.count / 2);
-  EXPECT_LT(plain, 3 * trials.count);
+  EXPECT_GT(plain, trial_count(kTrials) / 2);
+  EXPECT_LT(plain, 3 * trial_count(kTrials));
 }
 
 TEST(PlainBlock, TakesTheBlocksThatProgramsConsistOf) {

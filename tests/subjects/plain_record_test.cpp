@@ -70,34 +70,34 @@ constexpr std::string_view kPieces[] = {" ",       "\t",       "\"",   "{",  "}"
                                         ",",       "[",        "]",    "\\", "1", "\"b\":1,",
                                         "\"m\":2", "\xC3\xA9", "\x7F", "\n"};
 
-std::string axes(Trials& trials, std::string_view letters) {
+std::string axes(Chance& chance, std::string_view letters) {
   std::string text = "{";
   for (const char letter : letters) {
     if (text.size() > 1) text += ',';
-    text += std::string("\"") + letter + "\":" + std::string(trials.one_of(kNumbers));
+    text += std::string("\"") + letter + "\":" + std::string(chance.one_of(kNumbers));
   }
   return text + "}";
 }
 
-std::string any_value(std::string_view key, Trials& trials) {
-  if (key == "k") return '"' + std::string(trials.one_of(kKinds)) + '"';
+std::string any_value(std::string_view key, Chance& chance) {
+  if (key == "k") return '"' + std::string(chance.one_of(kKinds)) + '"';
   if (key == "to" || key == "via") {
-    return axes(trials, trials.one_of({"xy", "z", "xyz", "zx", "yz", "", "xx", "q", "xyzac"}));
+    return axes(chance, chance.one_of({"xy", "z", "xyz", "zx", "yz", "", "xx", "q", "xyzac"}));
   }
-  if (key == "c") return axes(trials, trials.one_of({"xy", "zx", "xz", "yz", "x", "xyz"}));
-  if (key == "b" || key == "rot" || key == "m") return std::string(trials.one_of(kIntegers));
+  if (key == "c") return axes(chance, chance.one_of({"xy", "zx", "xz", "yz", "x", "xyz"}));
+  if (key == "b" || key == "rot" || key == "m") return std::string(chance.one_of(kIntegers));
   if (key == "plane") {
-    return std::string(trials.one_of({"\"G17\"", "\"G18\"", "\"G19\"", "\"G16\"", "\"G1\""}));
+    return std::string(chance.one_of({"\"G17\"", "\"G18\"", "\"G19\"", "\"G16\"", "\"G1\""}));
   }
-  if (key == "fm") return std::string(trials.one_of({"\"min\"", "\"rev\"", "\"max\""}));
+  if (key == "fm") return std::string(chance.one_of({"\"min\"", "\"rev\"", "\"max\""}));
   if (key == "class" || key == "clause" || key == "x-a") {
-    return std::string(trials.one_of({"\"GSK-G94-02\"", "7", "{\"a\":1}", "\"\\n\"", "\"\""}));
+    return std::string(chance.one_of({"\"GSK-G94-02\"", "7", "{\"a\":1}", "\"\\n\"", "\"\""}));
   }
-  return std::string(trials.one_of(kNumbers));
+  return std::string(chance.one_of(kNumbers));
 }
 
 // The keys of one kind, or any keys.
-std::string any_line(Trials& trials) {
+std::string any_line(Chance& chance) {
   static constexpr std::string_view kUsual[][7] = {{"k", "b", "to"},
                                                    {"k", "b", "to", "f", "clause"},
                                                    {"k", "b", "to", "f", "fm"},
@@ -107,20 +107,20 @@ std::string any_line(Trials& trials) {
                                                    {"k", "b", "m"}};
   static constexpr std::string_view kOfUsual[] = {"rapid",  "feed",  "feed", "arc",
                                                   "thread", "dwell", "m"};
-  const std::size_t kind = trials.below(std::size(kUsual));
+  const std::size_t kind = chance.below(std::size(kUsual));
   std::string text = "{";
   for (std::string_view key : kUsual[kind]) {
-    if (trials.once_in(40)) key = trials.one_of(kKeyTexts);
+    if (chance.once_in(40)) key = chance.one_of(kKeyTexts);
     if (key.empty()) continue;
-    if (text.size() > 1) text += trials.once_in(9) ? ", " : ",";
-    const bool own_kind = key == "k" && !trials.once_in(10);
-    text += '"' + std::string(key) + (trials.once_in(9) ? "\" : " : "\":") +
-            (own_kind ? '"' + std::string(kOfUsual[kind]) + '"' : any_value(key, trials));
+    if (text.size() > 1) text += chance.once_in(9) ? ", " : ",";
+    const bool own_kind = key == "k" && !chance.once_in(10);
+    text += '"' + std::string(key) + (chance.once_in(9) ? "\" : " : "\":") +
+            (own_kind ? '"' + std::string(kOfUsual[kind]) + '"' : any_value(key, chance));
   }
   text += "}";
-  if (trials.once_in(3)) {
-    const std::size_t at = trials.below(text.size() + 1);
-    text.replace(at, std::min(trials.below(3), text.size() - at), trials.one_of(kPieces));
+  if (chance.once_in(3)) {
+    const std::size_t at = chance.below(text.size() + 1);
+    text.replace(at, std::min(chance.below(3), text.size() - at), chance.one_of(kPieces));
   }
   return text;
 }
@@ -138,13 +138,13 @@ bool same(const Record& a, const Record& b) {
 }
 
 TEST(PlainRecord, IsWhatTheJsonReaderGives) {
-  Trials trials(200'000);
+  constexpr long kTrials = 200'000;
   JsonDocument document;
   long plain = 0;
-  for (long i = 0; i < trials.count; ++i) {
-    const std::string line = any_line(trials);
+  each_trial(kTrials, [&](Chance& chance) {
+    const std::string line = any_line(chance);
     Record got;
-    if (!read_plain_record(line, got)) continue;
+    if (!read_plain_record(line, got)) return;
     ++plain;
     auto parsed = document.parse(line);
     auto* object = std::get_if<simdjson::dom::object>(&parsed);
@@ -153,9 +153,9 @@ TEST(PlainRecord, IsWhatTheJsonReaderGives) {
     auto* record = std::get_if<Record>(&want);
     ASSERT_NE(record, nullptr) << line << " is no record";
     ASSERT_TRUE(same(got, *record)) << line;
-  }
-  EXPECT_GT(plain, trials.count / 100);  // there was something to compare
-  EXPECT_LT(plain, trials.count);
+  });
+  EXPECT_GT(plain, trial_count(kTrials) / 100);  // there was something to compare
+  EXPECT_LT(plain, trial_count(kTrials));
 }
 
 TEST(PlainRecord, IsWhatTheReferenceWrites) {

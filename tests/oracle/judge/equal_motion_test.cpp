@@ -12,42 +12,41 @@ namespace {
 
 using reference::kAllAxes;
 
-Number any_length(Trials& trials) {
-  const auto count = static_cast<std::int64_t>(trials.below(200'001)) - 100'000;
-  return Number::millionths(count * trials.one_of(std::to_array<std::int64_t>({1, 1000, 10'000})));
+Number any_length(Chance& chance) {
+  const auto count = static_cast<std::int64_t>(chance.below(200'001)) - 100'000;
+  return Number::millionths(count * chance.one_of(std::to_array<std::int64_t>({1, 1000, 10'000})));
 }
 
 // A line, a traverse or an arc: also a helix, a full circle, several turns, one whose radii differ,
 // one that is too small to see.
-Motion any_motion(Trials& trials) {
+Motion any_motion(Chance& chance) {
   Motion motion;
   Record& record = motion.record;
-  record.kind = trials.one_of(
+  record.kind = chance.one_of(
       std::to_array({RecordKind::rapid, RecordKind::feed, RecordKind::arc, RecordKind::arc}));
-  record.feed = any_length(trials);
+  record.feed = any_length(chance);
   for (const Axis axis : kAllAxes) {
-    motion.from[axis] = any_length(trials);
-    record.to[axis] = trials.once_in(2) ? motion.from[axis] : any_length(trials);
+    motion.from[axis] = any_length(chance);
+    record.to[axis] = chance.once_in(2) ? motion.from[axis] : any_length(chance);
   }
-  record.plane = trials.one_of(
+  record.plane = chance.one_of(
       std::to_array({reference::Plane::g17, reference::Plane::g18, reference::Plane::g19}));
-  record.rot = trials.one_of(std::to_array({-3, -2, -1, 1, 2, 3}));
-  record.centre = {any_length(trials), any_length(trials)};
+  record.rot = chance.one_of(std::to_array({-3, -2, -1, 1, 2, 3}));
+  record.centre = {any_length(chance), any_length(chance)};
   return motion;
 }
 
 TEST(EqualMotion, IsTheWholeOfTheReferencesByTheRulesOfTheMatch) {
-  Trials trials(20'000);
   Tolerances terms;
   terms.tolerance = Number::millionths(1000);
-  for (long i = 0; i < trials.count; ++i) {
-    const Motion motion = any_motion(trials);
+  each_trial(20'000, [&](Chance& chance) {
+    const Motion motion = any_motion(chance);
     const CurveAnswer answer = Curve(motion, terms).follow({}, motion);
     std::string text;
     append_json(motion.record, text);
     ASSERT_EQ(answer.departure, Departure::none) << text << ": " << answer.reason;
     ASSERT_TRUE(answer.ways.front().done) << text;
-  }
+  });
 }
 
 }  // namespace

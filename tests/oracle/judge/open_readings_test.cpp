@@ -84,14 +84,14 @@ std::vector<ReadingKey> some_readings(std::string_view dialect, generate::Choice
 }
 
 TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
-  Trials trials(2'000);
+  constexpr long kTrials = 2'000;
   std::size_t untouched = 0;
   std::size_t touched = 0;
   std::size_t known = 0;
   std::size_t too_many = 0;
   long elsewhere = 0;
-  for (long i = 0; i < trials.count; ++i) {
-    generate::Choices choices(trials.chance());
+  each_trial(kTrials, [&](Chance& chance) {
+    generate::Choices& choices = chance.choices();
     const generate::Generator& generator = choices.pick(generate::generators());
     const GeneratedOutcome of =
         generated_outcome(generator, some_readings(generator.dialect, choices), choices);
@@ -100,7 +100,7 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
     // Together they may be more than are followed at once.
     if (assignments_of(profile, program).too_many) {
       ++too_many;
-      continue;
+      return;
     }
     SessionVerdict whole = judged_at_once(profile, program, of.outcome, of.terms);
     if (whole.verdict.kind <= VerdictKind::pass_tolerance &&
@@ -136,12 +136,12 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
       }
     }
     ++(whole.open.empty() ? untouched : touched);
-  }
+  });
   EXPECT_GT(untouched, 0U);
   EXPECT_GT(touched, 0U);
   EXPECT_GT(known, 0U);
   EXPECT_GT(too_many, 0U);
-  EXPECT_LE(elsewhere, trials.count / 100);
+  EXPECT_LE(elsewhere, trial_count(kTrials) / 100);
 }
 
 // The 840D asks for sie.arc.correct at the arc, whose end is 0.003 mm off its circle: after far

@@ -96,36 +96,35 @@ bool put_wrong(Wrong wrong, const std::vector<Motion>& motions, std::size_t i,
 // One motion of each program is put wrong, where it can be. The same program with its right trace
 // is the proof that nothing else is wrong.
 void expect_no_go(Wrong wrong, std::string_view name, long usual) {
-  Trials trials(usual);
   generate::GeneratorSettings settings;
   settings.kinds = {.valid = 1, .near_invalid = 0, .boundary = 1, .raw = 0, .tiny = 4};
   long tried = 0;
-  for (long i = 0; i < trials.count; ++i) {
-    generate::Choices choices(trials.chance());
+  each_trial(usual, [&](Chance& chance) {
+    generate::Choices& choices = chance.choices();
     GeneratedOutcome of = right_outcome(choices.pick(generate::generators()), settings, choices);
-    if (!is_told_by_records(of.program.text)) continue;
+    if (!is_told_by_records(of.program.text)) return;
     // What is wrong may be the path of another alternative.
     of.program.profile.readings = of.program.profile.readings.shown();
     const std::vector<Motion> motions = motions_of(of);
-    if (motions.size() < 2) continue;  // without any motion an alarm may have come at load
+    if (motions.size() < 2) return;  // without any motion an alarm may have come at load
     Outcome spoilt = of.outcome;
-    if (!put_wrong(wrong, motions, trials.below(motions.size()), of.terms.tolerance, spoilt)) {
-      continue;
+    if (!put_wrong(wrong, motions, chance.below(motions.size()), of.terms.tolerance, spoilt)) {
+      return;
     }
     const auto passes = [&](const Outcome& outcome) {
       const VerdictKind kind =
           judged(of.program.profile, of.program.text, outcome, of.terms).verdict.kind;
       return kind != VerdictKind::skip && decision(kind) == Decision::go;
     };
-    if (!passes(of.outcome)) continue;
+    if (!passes(of.outcome)) return;
     ++tried;
     std::string trace;
     for (const Record& record : spoilt.records) trace += line_of(record) + "\n";
     ASSERT_FALSE(passes(spoilt)) << name << "\n"
                                  << reference::profile_json(of.program.profile) << "\n"
                                  << of.program.text << trace;
-  }
-  EXPECT_GT(tried * 20, trials.count) << "hardly anything was tried";
+  });
+  EXPECT_GT(tried * 20, trial_count(usual)) << "hardly anything was tried";
 }
 
 TEST(WrongMotion, ThatLeadsBesideItsEndIsNoGo) {

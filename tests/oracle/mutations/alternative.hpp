@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "specimen.hpp"
-#include "tests/trials.hpp"
+#include "tests/chance.hpp"
 
 namespace gonogo::mutations {
 
 // A trace in change, with the tolerances and the profile under which it will be judged.
 struct Attempt {
-  Attempt(const Specimen& of, Trials& trials)
-      : specimen(of), chance(trials), trace(of.right), terms(of.terms), profile(of.profile) {}
+  Attempt(const Specimen& of, Chance& drawn)
+      : specimen(of), chance(drawn), trace(of.right), terms(of.terms), profile(of.profile) {}
 
   // Where each record of the trace as it now is starts.
   std::vector<reference::Position> starts() const;
@@ -24,7 +24,7 @@ struct Attempt {
   bool replace(const Make& make);
 
   const Specimen& specimen;
-  Trials& chance;
+  Chance& chance;
   Trace trace;
   oracle::Tolerances terms;
   reference::Profile profile;

@@ -66,20 +66,20 @@ bool is_untold_thread(std::string_view name, const Specimen& specimen,
 
 class Alternatives {
  public:
-  explicit Alternatives(Trials& trials) : trials_(trials) {}
+  explicit Alternatives(Chance& chance) : chance_(chance) {}
 
   void try_all(const Specimen& specimen) {
     for (std::size_t i = 0; i < all_.size(); ++i) {
-      Attempt attempt(specimen, trials_);
+      Attempt attempt(specimen, chance_);
       if (!all_[i].apply(attempt)) continue;
       judge(all_[i].name, attempt);
     }
     // Two at once: an open part first, for it takes the right trace as it stands.
-    Attempt attempt(specimen, trials_);
-    const Alternative& one = trials_.one_of(all_);
+    Attempt attempt(specimen, chance_);
+    const Alternative& one = chance_.one_of(all_);
     if (!one.apply(attempt)) return;
     const std::vector<Alternative> wordings = wording_alternatives();
-    const Alternative& other = trials_.one_of(wordings);
+    const Alternative& other = chance_.one_of(wordings);
     if (other.name == one.name || one.name == "looser-tolerance") return;
     // What is rounded coarsely first is no finer value rounded.
     if (one.name.starts_with("rounded") && other.name.starts_with("rounded")) return;
@@ -157,7 +157,7 @@ class Alternatives {
                            reference::profile_json(attempt.profile), trace_text(attempt.trace))};
   }
 
-  Trials& trials_;
+  Chance& chance_;
   std::vector<Alternative> all_ = all_alternatives();
   std::map<std::string, Count> counts_;
   long too_close_ = 0;
@@ -167,13 +167,14 @@ class Alternatives {
 };
 
 TEST(Alternatives, NoneThatIsRightIsRejected) {
-  Trials trials(20'000);
+  const long wanted = trial_count(20'000);
+  Chance chance(trial_seed());
   const RawCases cases = cases_of_corpus(GONOGO_SOURCE_DIR "/corpus");
-  Alternatives alternatives(trials);
-  while (alternatives.tried() < trials.count) {
+  Alternatives alternatives(chance);
+  while (alternatives.tried() < wanted) {
     for (const auto& [group, raws] : cases) {
-      const RawCase& raw = trials.one_of(raws);
-      const auto specimen = make_specimen(raw, trials.one_of(raw.assignments), kMostRecords);
+      const RawCase& raw = chance.one_of(raws);
+      const auto specimen = make_specimen(raw, chance.one_of(raw.assignments), kMostRecords);
       if (specimen == nullptr) continue;
       const auto verdict = judge_outcome(specimen->profile, specimen->program, specimen->terms,
                                          specimen->right.records, specimen->right.end);

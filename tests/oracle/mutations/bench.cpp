@@ -96,13 +96,13 @@ std::string trace_text(const Trace& trace) {
   return text;
 }
 
-void Bench::run(Trials& trials) {
-  while (wrong() < trials.count) {
+void Bench::run(Chance& chance, long wanted) {
+  while (wrong() < wanted) {
     for (const auto& [group, cases] : cases_) {
-      const RawCase& raw = trials.one_of(cases);
+      const RawCase& raw = chance.one_of(cases);
       std::unique_ptr<Specimen> specimen;
       try {
-        specimen = make_specimen(raw, trials.one_of(raw.assignments), kMostRecords);
+        specimen = make_specimen(raw, chance.one_of(raw.assignments), kMostRecords);
       } catch (const std::logic_error& error) {
         faults_.insert(error.what());
         continue;
@@ -112,19 +112,19 @@ void Bench::run(Trials& trials) {
         ++unusable_;
         continue;
       }
-      try_specimen(*specimen, trials);
+      try_specimen(*specimen, chance);
     }
   }
 }
 
-void Bench::try_specimen(const Specimen& specimen, Trials& trials) {
+void Bench::try_specimen(const Specimen& specimen, Chance& chance) {
   const long before = wrong();
-  for (const Operator& op : operators_) try_operator(specimen, op, trials);
+  for (const Operator& op : operators_) try_operator(specimen, op, chance);
   by_group_[specimen.group] += wrong() - before;
 }
 
-void Bench::try_operator(const Specimen& specimen, const Operator& op, Trials& trials) {
-  Edit edit(specimen, trials);
+void Bench::try_operator(const Specimen& specimen, const Operator& op, Chance& chance) {
+  Edit edit(specimen, chance);
   if (!op.apply(edit)) return;
   Row& row = rows_[op.name];
   ++row.mutants;

@@ -37,7 +37,7 @@ class Bench {
  public:
   explicit Bench(const RawCases& cases) : cases_(cases) {}
   // Mutants of all groups in turn, until so many are judged that must be rejected.
-  void run(Trials& trials);
+  void run(Chance& chance, long wanted);
   void print() const;
   long wrong() const;
   const std::vector<Survivor>& survivors() const { return survivors_; }
@@ -47,8 +47,8 @@ class Bench {
   std::vector<std::string> untried() const;
 
  private:
-  void try_specimen(const Specimen& specimen, Trials& trials);
-  void try_operator(const Specimen& specimen, const Operator& op, Trials& trials);
+  void try_specimen(const Specimen& specimen, Chance& chance);
+  void try_operator(const Specimen& specimen, const Operator& op, Chance& chance);
   void count(const Specimen& specimen, const Operator& op, const Statement& statement,
              const Trace& mutant, const oracle::Verdict& verdict);
 

@@ -9,10 +9,10 @@ namespace gonogo::mutations {
 namespace {
 
 TEST(Mutations, NoneThatIsWrongIsGo) {
-  Trials trials(60'000);
+  Chance chance(trial_seed());
   const RawCases cases = cases_of_corpus(GONOGO_SOURCE_DIR "/corpus");
   Bench bench(cases);
-  bench.run(trials);
+  bench.run(chance, trial_count(60'000));
   bench.print();
   EXPECT_TRUE(bench.survivors().empty());
   EXPECT_TRUE(bench.faults().empty());

@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "specimen.hpp"
-#include "tests/trials.hpp"
+#include "tests/chance.hpp"
 
 namespace gonogo::mutations {
 
 // A trace in change.
 class Edit {
  public:
-  Edit(const Specimen& of, Trials& trials) : specimen(of), chance(trials), trace(of.right) {}
+  Edit(const Specimen& of, Chance& drawn) : specimen(of), chance(drawn), trace(of.right) {}
 
   using Wanted = std::function<bool(std::size_t)>;
   // The number of any record of the right trace that is wanted.
@@ -42,7 +42,7 @@ class Edit {
   Number times_tolerance(double factor) const;
 
   const Specimen& specimen;
-  Trials& chance;
+  Chance& chance;
   Trace trace;
 };
 

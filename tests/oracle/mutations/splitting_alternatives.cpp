@@ -220,7 +220,7 @@ bool traverses_axis_by_axis(Attempt& attempt) {
       if (record.axes.has(axis) && from[axis] != to[axis]) axes.push_back(axis);
     }
     if (axes.size() < 2) return made;
-    std::shuffle(axes.begin(), axes.end(), attempt.chance.chance);
+    attempt.chance.shuffle(axes);
     Position here = from;
     for (const Axis axis : axes) {
       here[axis] = to[axis];

@@ -30,7 +30,7 @@ bool is_m(const Record& record) {
 }
 
 // The place of any record that is wanted; nothing where there is none.
-std::optional<std::size_t> any(const Records& records, Wanted wanted, Trials& chance) {
+std::optional<std::size_t> any(const Records& records, Wanted wanted, Chance& chance) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (wanted(records[i])) places.push_back(i);
@@ -39,20 +39,20 @@ std::optional<std::size_t> any(const Records& records, Wanted wanted, Trials& ch
   return chance.one_of(places);
 }
 
-bool drop(Records& records, const Number&, Trials& chance) {
+bool drop(Records& records, const Number&, Chance& chance) {
   const auto at = any(records, is_any, chance);
   if (at) records.erase(records.begin() + static_cast<std::ptrdiff_t>(*at));
   return at.has_value();
 }
 
-bool swap(Records& records, const Number&, Trials& chance) {
+bool swap(Records& records, const Number&, Chance& chance) {
   const auto at = any(records, is_any, chance);
   if (!at || *at + 1 >= records.size() || !is_any(records[*at + 1])) return false;
   std::swap(records[*at], records[*at + 1]);
   return true;
 }
 
-bool shift(Records& records, const Number& tau, Trials& chance) {
+bool shift(Records& records, const Number& tau, Chance& chance) {
   const auto at = any(records, moves, chance);
   if (!at) return false;
   Record& record = records[*at];
@@ -65,7 +65,7 @@ bool shift(Records& records, const Number& tau, Trials& chance) {
   return false;
 }
 
-bool relabel(Records& records, const Number&, Trials& chance) {
+bool relabel(Records& records, const Number&, Chance& chance) {
   const auto at = any(records, moves, chance);
   if (!at) return false;
   Record& record = records[*at];
@@ -90,19 +90,19 @@ bool relabel(Records& records, const Number&, Trials& chance) {
   }
 }
 
-bool reverse(Records& records, const Number&, Trials& chance) {
+bool reverse(Records& records, const Number&, Chance& chance) {
   const auto at = any(records, is_arc, chance);
   if (at) records[*at].rot = -records[*at].rot;
   return at.has_value();
 }
 
-bool turn_more(Records& records, const Number&, Trials& chance) {
+bool turn_more(Records& records, const Number&, Chance& chance) {
   const auto at = any(records, is_arc, chance);
   if (at) records[*at].rot += records[*at].rot < 0 ? -1 : 1;
   return at.has_value();
 }
 
-bool move_m(Records& records, const Number&, Trials& chance) {
+bool move_m(Records& records, const Number&, Chance& chance) {
   const auto at = any(records, is_m, chance);
   if (!at || records.size() < 2) return false;
   const Record record = records[*at];

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/record.hpp"
-#include "tests/trials.hpp"
+#include "tests/chance.hpp"
 
 namespace gonogo::relation {
 
@@ -16,7 +16,7 @@ struct Change {
   std::string_view name;
   // False where it cannot be applied.
   bool (*apply)(std::vector<reference::Record>& records, const reference::Number& tau,
-                Trials& chance);
+                Chance& chance);
 };
 std::span<const Change> changes();
 

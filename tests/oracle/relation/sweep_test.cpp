@@ -83,9 +83,8 @@ void compare(Comparison& comparison, const Specimen& specimen, std::string_view 
 TEST(DefinitionSweep, WhatTheCorpusExpectsIsRight) {
   Comparison comparison;
   const std::vector<Specimen> all = specimens();
-  Trials trials(2'500);
-  const std::size_t step =
-      std::max<std::size_t>(1, all.size() / static_cast<std::size_t>(trials.count));
+  const auto wanted = static_cast<std::size_t>(trial_count(2'500));
+  const std::size_t step = std::max<std::size_t>(1, all.size() / wanted);
   for (std::size_t i = 0; i < all.size(); i += step) {
     compare(comparison, all[i], "right", terms_for(all[i].profile, true, true), all[i].right);
   }
@@ -96,14 +95,15 @@ TEST(DefinitionSweep, WhatTheCorpusExpectsIsRight) {
 TEST(DefinitionSweep, TheJudgeSaysTheSameOfChangedTraces) {
   Comparison comparison;
   const std::vector<Specimen> all = specimens();
-  Trials trials(20'000);
-  for (long done = 0; done < trials.count;) {
-    const Specimen& specimen = trials.one_of(all);
-    const Change& change = trials.one_of(changes());
+  const long wanted = trial_count(20'000);
+  Chance chance(trial_seed());
+  for (long done = 0; done < wanted;) {
+    const Specimen& specimen = chance.one_of(all);
+    const Change& change = chance.one_of(changes());
     const oracle::Tolerances terms =
-        terms_for(specimen.profile, !trials.once_in(4), !trials.once_in(8));
+        terms_for(specimen.profile, !chance.once_in(4), !chance.once_in(8));
     Trace trace = specimen.right;
-    if (!change.apply(trace.records, terms.tolerance, trials)) continue;
+    if (!change.apply(trace.records, terms.tolerance, chance)) continue;
     compare(comparison, specimen, change.name, terms, trace);
     ++done;
   }

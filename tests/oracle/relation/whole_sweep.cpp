@@ -106,15 +106,16 @@ TEST(WholeSweep, WhatTheCorpusExpects) {
 // Each expectation changed in as many ways as come on each.
 TEST(WholeSweep, WhatTheCorpusExpectsChanged) {
   Comparison comparison;
-  Trials trials(200'000);
-  while (comparison.traces() < trials.count) {
+  const long wanted = trial_count(200'000);
+  Chance chance(trial_seed());
+  while (comparison.traces() < wanted) {
     each_expectation([&](const oracle::Case& test, const reference::Profile& profile,
                          const std::vector<Record>& records, const oracle::RunEnd& end) {
-      if (comparison.traces() >= trials.count || !trials.once_in(4)) return;
-      const Change& change = trials.one_of(changes());
-      const oracle::Tolerances terms = terms_for(profile, !trials.once_in(4), !trials.once_in(8));
+      if (comparison.traces() >= wanted || !chance.once_in(4)) return;
+      const Change& change = chance.one_of(changes());
+      const oracle::Tolerances terms = terms_for(profile, !chance.once_in(4), !chance.once_in(8));
       std::vector<Record> changed = records;
-      if (!change.apply(changed, terms.tolerance, trials)) return;
+      if (!change.apply(changed, terms.tolerance, chance)) return;
       comparison.compare({test.id, test.program, profile, terms}, change.name, changed, end);
       print_now_and_then(comparison);
     });
@@ -126,18 +127,19 @@ TEST(WholeSweep, WhatTheCorpusExpectsChanged) {
 // The mutants of the mutation bench.
 TEST(WholeSweep, Mutants) {
   Comparison comparison;
-  Trials trials(66'000);
+  const long wanted = trial_count(66'000);
+  Chance chance(trial_seed());
   const mutations::RawCases cases = mutations::cases_of_corpus(GONOGO_SOURCE_DIR "/corpus");
   const std::vector<mutations::Operator> operators = mutations::wrong_operators();
-  while (comparison.traces() < trials.count) {
+  while (comparison.traces() < wanted) {
     for (const auto& [group, raw_cases] : cases) {
-      const mutations::RawCase& raw = trials.one_of(raw_cases);
+      const mutations::RawCase& raw = chance.one_of(raw_cases);
       if (!is_wanted(raw.id)) continue;
       const auto specimen =
-          mutations::make_specimen(raw, trials.one_of(raw.assignments), kMostRecords);
+          mutations::make_specimen(raw, chance.one_of(raw.assignments), kMostRecords);
       if (specimen == nullptr || !is_short(specimen->right.records, specimen->profile)) continue;
       for (const mutations::Operator& change : operators) {
-        mutations::Edit edit(*specimen, trials);
+        mutations::Edit edit(*specimen, chance);
         if (!change.apply(edit)) continue;
         comparison.compare({specimen->id, specimen->program, specimen->profile, specimen->terms},
                            change.name, edit.trace.records, edit.trace.end);
@@ -176,13 +178,14 @@ std::string_view expander_of(std::string_view dialect) {
 
 TEST(WholeSweep, PlantedFaults) {
   Comparison comparison;
-  Trials trials(100'000);
-  while (comparison.traces() < trials.count) {
+  const long wanted = trial_count(100'000);
+  Chance chance(trial_seed());
+  while (comparison.traces() < wanted) {
     corpus().for_each([&](const oracle::Case& test) {
-      if (comparison.traces() >= trials.count) return false;
+      if (comparison.traces() >= wanted) return false;
       if (!is_wanted(test.id)) return true;
       const std::string_view name = expander_of(test.dialect);
-      const std::string_view fault = trials.one_of(expanders::faults(name)).name;
+      const std::string_view fault = chance.one_of(expanders::faults(name)).name;
       try_fault(*expanders::find(name, fault), fault, test, comparison);
       return true;
     });
@@ -194,12 +197,12 @@ TEST(WholeSweep, PlantedFaults) {
 // Generated programs by expanders with faults and without, half of them with a record changed.
 TEST(WholeSweep, Generated) {
   Comparison comparison;
-  Trials trials(500'000);
-  while (comparison.traces() < trials.count) {
+  const long wanted = trial_count(500'000);
+  Chance chance(trial_seed());
+  while (comparison.traces() < wanted) {
     for (const generate::Generator& generator : generate::generators()) {
       if (!is_wanted(generator.dialect)) continue;
-      generate::Choices choices(trials.chance());
-      const auto made = oracle::generated_outcome(generator, {}, choices);
+      const auto made = oracle::generated_outcome(generator, {}, chance.choices());
       if (!is_answer(made.outcome.end) || !is_short(made.outcome.records, made.program.profile))
         continue;
       comparison.compare({generator.dialect, made.program.text, made.program.profile, made.terms},

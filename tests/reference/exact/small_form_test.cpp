@@ -14,23 +14,23 @@ namespace gonogo::exact {
 namespace {
 
 // Millionths of every size: those of programs, whole millimetres, the borders of 64 bits.
-std::int64_t any_count(Trials& trials) {
+std::int64_t any_count(Chance& chance) {
   constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
-  const auto bits = static_cast<std::int64_t>(trials.chance());
-  switch (trials.below(6)) {
+  const auto bits = static_cast<std::int64_t>(chance.bits());
+  switch (chance.below(6)) {
     case 0:
-      return bits >> (trials.below(63));
+      return bits >> (chance.below(63));
     case 1:
       return (bits >> 44) * detail::kUnit;
     case 2:
       return (bits >> 40) * 1000;
     case 3:
-      return static_cast<std::int64_t>(trials.below(20)) - 10;
+      return static_cast<std::int64_t>(chance.below(20)) - 10;
     case 4:
-      return kMost - static_cast<std::int64_t>(trials.below(3));
+      return kMost - static_cast<std::int64_t>(chance.below(3));
     default:
-      return kLeast + static_cast<std::int64_t>(trials.below(3));
+      return kLeast + static_cast<std::int64_t>(chance.below(3));
   }
 }
 
@@ -41,10 +41,9 @@ bool identical(const Number& a, const Number& b) {
 }
 
 TEST(SmallForm, ComesToWhatRationalsComeTo) {
-  Trials trials(100'000);
-  for (long i = 0; i < trials.count; ++i) {
-    const Number a = Number::millionths(any_count(trials));
-    const Number b = Number::millionths(any_count(trials));
+  each_trial(100'000, [](Chance& chance) {
+    const Number a = Number::millionths(any_count(chance));
+    const Number b = Number::millionths(any_count(chance));
     const mpq_class x = rational_of(a);
     const mpq_class y = rational_of(b);
     const std::string what = a.text() + " and " + b.text();
@@ -60,28 +59,27 @@ TEST(SmallForm, ComesToWhatRationalsComeTo) {
       ASSERT_TRUE(identical(a / b, number_of(mpq_class(x / y)))) << what;
     }
     ASSERT_TRUE(identical(*Number::parse(a.text()), a)) << what;
-  }
+  });
 }
 
 // a + b sqrt(c/d), as the centre of an arc by its radius: quotients of squares, near them, any.
 TEST(SmallForm, RootsAreThoseOfRationals) {
-  Trials trials(50'000);
-  for (long i = 0; i < trials.count; ++i) {
-    const auto root = static_cast<std::int64_t>(trials.below(3000)) + 1;
-    const auto part = static_cast<std::int64_t>(trials.below(60)) + 1;
-    const auto off = trials.once_in(2) ? 0 : static_cast<std::int64_t>(trials.below(3));
-    const auto factor = static_cast<std::int64_t>(trials.below(9)) + 1;
+  each_trial(50'000, [](Chance& chance) {
+    const auto root = static_cast<std::int64_t>(chance.below(3000)) + 1;
+    const auto part = static_cast<std::int64_t>(chance.below(60)) + 1;
+    const auto off = chance.once_in(2) ? 0 : static_cast<std::int64_t>(chance.below(3));
+    const auto factor = static_cast<std::int64_t>(chance.below(9)) + 1;
     const Number c = Number::millionths((root * root + off) * factor);
     const Number d = Number::millionths(part * part * factor);
-    const std::array<Number, 2> a = {Number::millionths(any_count(trials)), Number(root)};
-    const std::array<Number, 2> b = {Number::millionths(any_count(trials)), Number(-part)};
+    const std::array<Number, 2> a = {Number::millionths(any_count(chance)), Number(root)};
+    const std::array<Number, 2> b = {Number::millionths(any_count(chance)), Number(-part)};
     const std::array<Number, 2> both = Number::roots(a, b, c, d);
     for (std::size_t k : {0U, 1U}) {
       const Number want = Number::root(a[k], b[k], c / d);
       ASSERT_EQ(both[k].text(), want.text());
       ASSERT_EQ(both[k].form(), want.form());
     }
-  }
+  });
 }
 
 }  // namespace
