@@ -62,7 +62,6 @@ void ProgramJudge::go_on() {
   step.coordinates += step.next.coordinates();
   step.at = step.next.to;
   step.ahead = nullptr;
-  moved_ = true;
 }
 
 void ProgramJudge::leave_step() {

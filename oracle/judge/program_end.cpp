@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "oracle/judge/advice.hpp"
 #include "oracle/judge/mismatch.hpp"
@@ -179,24 +180,25 @@ void ProgramJudge::settle(Ending ending) {
 }
 
 // R6. Those of earlier blocks, and those of a cycle, must have come as motion must; of those that
-// the block that alarms names no text says whether they do. A control that checks at load need not
-// pass any.
+// the block that alarms names no text says whether they do, each as often as it is named. A control
+// that checks at load need not pass any.
 std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& ending) const {
   using MFunctions = Ending::MFunctions;
   if (ending.judges == MFunctions::none) return std::nullopt;
   const bool before_alarm = ending.judges == MFunctions::before_alarm;
-  const auto is_named = [&](const Record& record) {
-    return names_m_function(reference_.failed_line(), record.m);
+  const auto named = [&](const Record& record) {
+    return times_named(reference_.failed_line(), record.m);
   };
+  std::map<std::int32_t, std::size_t> came;
   for (const SubjectMFunction& got : m_functions_of_alarm_) {
     const bool is_of_block = !terms_.compare_blocks || got.record.block == ending.block;
-    const bool is_free = before_alarm ? is_of_block && is_named(got.record)
+    const bool is_free = before_alarm ? is_of_block && ++came[got.record.m] <= named(got.record)
                                       : is_of_block || got.record.block > ending.block;
     if (!is_free) return m_function_too_many(got.record, got.number, wanted_at(ending.from.step));
   }
   if (ending.at_load) return std::nullopt;
   for (const DueMFunction& due : reference_.waiting(ending.m_functions)) {
-    const bool is_due = before_alarm ? due.record.block != ending.block || !is_named(due.record)
+    const bool is_due = before_alarm ? due.record.block != ending.block || named(due.record) == 0
                                      : due.record.block < ending.block;
     if (is_due) return m_function_missing(due.record, {}, records_);
   }
@@ -378,6 +380,13 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& al
       report != nullptr
           ? compare_alarm(from, alarming, *report)
           : spurious_alarm(alarming, "The subject alarms, and the program has no fault.");
+  if (report == nullptr && unfinished && terms_.compare_blocks &&
+      departure->kind == VerdictKind::fail_alarm_spurious) {
+    if (const auto behind = alarm_behind(alarming.alarm)) {
+      departure->message = "The alarm comes in a block before the right one.";
+      departure->want = alarms_text(*behind);
+    }
+  }
   if (departure && departure->want.empty() && unfinished) {
     departure->want = step_text(unfinished->step.what);
   }
@@ -417,18 +426,45 @@ bool ProgramJudge::is_alarm_behind_end(Hypothesis& from, const Alarming& alarmin
   return alignment_.go_on_behind_end(from, std::move(verdict));
 }
 
+// Whether a step is due behind the block of the subject's alarm, before which others are undone: then
+// no alarm of the program makes it right.
+bool ProgramJudge::is_behind_alarm(const Alarming& alarming, const ReferenceStep& step) const {
+  if (!alarming.unfinished || !terms_.compare_blocks) return false;
+  const std::uint64_t alarmed = alarming.alarm.block;
+  const std::uint64_t block = block_of(step);
+  return block_of(alarming.unfinished->step.what) >= alarmed && block != 0 && block != alarmed;
+}
+
+// The program's own alarm behind that of the subject, which is told of an alarm that comes early.
+std::optional<AlarmReport> ProgramJudge::alarm_behind(const SubjectAlarm& alarm) const try {
+  ProgramInput input(program_);
+  reference::Expander expander(profile_, input.lines, reference::OpenPaths::judged);
+  for (std::size_t passed = 0; passed < kMostItems; ++passed) {
+    const reference::Item* item = expander.next();
+    if (item == nullptr || std::holds_alternative<NotCovered>(*item)) return std::nullopt;
+    const auto* report = std::get_if<AlarmReport>(item);
+    if (report == nullptr) continue;
+    return report->block > alarm.block ? std::optional(*report) : std::nullopt;
+  }
+  return std::nullopt;
+} catch (const exact::Undecided&) {
+  return std::nullopt;
+}
+
 ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlarm& alarm) {
-  // A controller that checks at load may alarm with no motion at all.
-  const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
+  // A controller that checks at load has put out nothing.
+  const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && records_ == 0;
   Alarming alarming{alarm, at_load, reference_.at(from.step).item, !from.is_fresh()};
   auto& unfinished = alarming.unfinished;
   for (std::size_t passed = 0; passed < kMostItems; ++passed) {
     forget_behind(from, at_load || unfinished);
     const ReferenceSteps::Step& here = reference_.at(from.step);
     const ReferenceStep& step = here.what;
-    if (auto* outside = std::get_if<NotCovered>(&step)) {
+    auto* const outside = std::get_if<NotCovered>(&step);
+    if (outside != nullptr && (at_load || !unfinished)) {
       return {from, not_covered_verdict(*outside)};
     }
+    if (outside != nullptr || is_behind_alarm(alarming, step)) return at_alarm(from, alarming);
     if (std::holds_alternative<AlarmReport>(step) || is_record_end(step)) {
       if (is_alarm_behind_end(from, alarming)) continue;
       return at_alarm(from, alarming);
@@ -455,6 +491,7 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
     }
     alignment_.skip(from);
   }
+  if (unfinished) return at_alarm(from, alarming);
   throw exact::Undecided("the program goes on for too long behind the alarm");
 }
 

@@ -142,7 +142,6 @@ void ProgramJudge::take_motion(const Record& record) {
     const Position& at = alignment_.hypotheses().front().at;
     if (makes_progress(motion_from(at, record, records_ - 1))) budget_.forgive();
   }
-  moved_ = true;
   if (!alignment_.take_motion(record, records_ - 1)) return decide_departure();
   const Forgiven forgiven = alignment_.take_forgiven();
   budget_.forgive(forgiven.records);

@@ -93,6 +93,8 @@ class ProgramJudge {
   Verdict spurious_alarm(const Alarming& alarming, std::string message) const;
   NoAlarmReason why_no_alarm(const Alarming& alarming) const;
   bool is_alarm_behind_end(Hypothesis& from, const Alarming& alarming);
+  bool is_behind_alarm(const Alarming& alarming, const ReferenceStep& step) const;
+  std::optional<reference::AlarmReport> alarm_behind(const SubjectAlarm& alarm) const;
   std::optional<Verdict> alarm_outside(const SubjectAlarm& alarm) const;
   // Whether an open path is looked at where the subject alarms.
   bool is_left_at_alarm(Hypothesis& from);
@@ -127,7 +129,6 @@ class ProgramJudge {
   std::optional<std::size_t> departed_at_;              // in items
   std::vector<SubjectMFunction> m_functions_of_alarm_;  // which may be of the block that alarms
   std::optional<Record> end_record_;                    // the subject's `end`
-  bool moved_ = false;                                  // the subject has put out a motion
 };
 
 }  // namespace gonogo::oracle

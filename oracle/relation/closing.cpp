@@ -67,18 +67,19 @@ int rank(VerdictKind kind) {
   }
 }
 
-// R6: whether the line of an alarm names the M function, as far as its text says.
-bool names_m(std::string_view line, std::int32_t number) {
+// R6: how often the line of an alarm names the M function, as far as its text says.
+std::size_t times_named(std::string_view line, std::int32_t number) {
   const std::string digits = std::to_string(number);
+  std::size_t times = 0;
   for (std::size_t at = 0; at < line.size(); ++at) {
     if (line[at] != 'M' && line[at] != 'm') continue;
     std::size_t begin = line.find_first_not_of(" \t+0", at + 1);
     if (begin == std::string_view::npos) begin = line.size();
     const std::size_t end = std::min(line.find_first_not_of("0123456789", begin), line.size());
     const std::string_view found = line.substr(begin, end - begin);
-    if (found == digits || (found.empty() && number == 0)) return true;
+    if (found == digits || (found.empty() && number == 0)) ++times;
   }
-  return false;
+  return times;
 }
 
 }  // namespace
@@ -164,16 +165,32 @@ bool is_other_name(const AlarmReport& report, std::string_view alarm_class) {
 
 }  // namespace
 
+// R6: whether an M function of the block that alarms comes, no text says; beside those that are due
+// it comes as often as it is named at most.
+bool Correspondence::is_of_alarm(const Place& place, const AlarmReport& report) {
+  ReferenceSide& sides = reference(place);
+  const Record& got = subject(place).at(place.j).source();
+  const auto is_same = [&](const Record& one) {
+    return one.kind == RecordKind::m && one.m == got.m &&
+           (!terms_.compare_blocks || one.block == report.block);
+  };
+  std::size_t due = 0;
+  for (std::size_t m = 0; m < sides.m_functions(place.i); ++m) {
+    if (is_same(sides.m_function(m))) ++due;
+  }
+  for (std::size_t i = 0; i < place.i; ++i) {
+    if (sides.at(i).part == Part::stop && is_same(sides.at(i).source())) ++due;
+  }
+  const auto came = static_cast<std::size_t>(std::ranges::count_if(outcome_.records, is_same));
+  return is_same(got) && came <= times_named(sides.failed_line(), got.m) + due;
+}
+
 void Correspondence::close_at_alarm(const Place& place, const AlarmReport& report) {
   const Event& got = subject(place).at(place.j);
-  if (got.part == Part::stop && got.source().kind == RecordKind::m) {
-    // Whether an M function of the block that alarms comes, no text says.
-    const bool is_its_own = !terms_.compare_blocks || got.block == report.block;
-    if (is_its_own && names_m(reference(place).failed_line(), got.source().m)) {
-      Place next = place;
-      ++next.j;
-      return reach_corner(next);
-    }
+  if (got.part == Part::stop && got.source().kind == RecordKind::m && is_of_alarm(place, report)) {
+    Place next = place;
+    ++next.j;
+    return reach_corner(next);
   }
   const bool is_block = outcome_.alarm != nullptr &&
                         (!terms_.compare_blocks || outcome_.alarm->block == report.block);

@@ -83,6 +83,7 @@ class Correspondence {
   void close(const Place& place);
   void close_at_end(const Place& place, const reference::Record& end);
   void close_at_alarm(const Place& place, const reference::AlarmReport& report);
+  bool is_of_alarm(const Place& place, const reference::AlarmReport& report);
   void close_by_alarm(const Place& place);
   bool is_alarm_at_load();
 

@@ -62,12 +62,13 @@ bool stops_something(const Record& m_function) {
   return ends_program(m_function) || is_one_of(m_function.m, {0, 1, 5, 9, 60});
 }
 
-bool names_m_function(std::string_view line, std::int32_t number) {
+std::size_t times_named(std::string_view line, std::int32_t number) {
+  std::size_t times = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const bool is_m = line[i] == 'M' || line[i] == 'm';
-    if (is_m && may_be_number(line.substr(i + 1), number)) return true;
+    if (is_m && may_be_number(line.substr(i + 1), number)) ++times;
   }
-  return false;
+  return times;
 }
 
 Verdict m_function_missing(const Record& due, std::string got, std::size_t number) {

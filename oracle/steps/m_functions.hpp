@@ -26,9 +26,9 @@ bool ends_program(const reference::Record& m_function);
 bool starts_something(const reference::Record& m_function);
 bool stops_something(const reference::Record& m_function);
 
-// Whether the line names the M function. By its text: an alarm keeps the reference from saying what
-// the block means.
-bool names_m_function(std::string_view line, std::int32_t number);
+// How often the line names the M function. By its text: an alarm keeps the reference from saying
+// what the block means.
+std::size_t times_named(std::string_view line, std::int32_t number);
 
 // It is due, and something else comes (`got`, record `number`).
 Verdict m_function_missing(const reference::Record& due, std::string got, std::size_t number);
