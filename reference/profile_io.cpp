@@ -183,6 +183,7 @@ void read_offsets(const Json& table, Profile& profile) {
   for (const auto& [name, at] : table.items()) {
     const std::string key = "offsets." + name;
     if (std::ranges::find(known, name) == known.end()) {
+      if (known.empty()) fail(key, profile.dialect + " has no work offsets in a profile.");
       unknown_key(key, fmt::format("{}", fmt::join(known, ", ")));
     }
     profile.offsets[name] = position_of(at, key);
@@ -212,7 +213,13 @@ void read_key(const std::string& name, const Json& value, Profile& profile) {
     profile.given_resolution = number_of(value, name);
     if (profile.given_resolution->sign() <= 0) fail(name, "The resolution must be above zero.");
   } else if (name == "x_diameter") {
+    // Where X is a length at power-on a program says that it is a diameter, as G7 does.
+    const bool may_be = profile.x_diameter;
     profile.x_diameter = flag_of(value, name);
+    if (profile.x_diameter && !may_be) {
+      fail(name, fmt::format("X of {} is a length at power-on. Leave it out, or write false.",
+                             profile.dialect));
+    }
   } else if (name == "block_skip") {
     profile.block_skip = flag_of(value, name);
   } else if (name == "initial") {

@@ -38,6 +38,8 @@ class ThreadingBlock {
   Fixed length(char address) const {
     return block_.has(address) ? length_of(machine_, block_, address) : 0;
   }
+  // Under G7 a diameter (NGC-DIA-01).
+  Fixed across(char address) const { return length(address) / (machine_.state.diameter ? 2 : 1); }
   Fixed number(char address) const {
     return block_.has(address) ? block_.number(address).value : 0;
   }
@@ -112,11 +114,11 @@ void ThreadingBlock::take_depths() {
   for (const char address : {'I', 'J', 'K'}) {
     if (!block_.has(address)) complain(AlarmKind::kMissingWord, address);
   }
-  const Fixed peak = length('I');
+  const Fixed peak = across('I');
   thread_.side = machine_.alters("g76-inside-out"_fault, peak > 0 ? 1 : -1, -1);
   thread_.peak = machine_.alters("g76-from-drive-line"_fault, magnitude(peak), 0);
-  thread_.infeed = length('J');
-  thread_.depth = length('K');
+  thread_.infeed = across('J');
+  thread_.depth = across('K');
   if (block_.has('I') && peak == 0) complain(AlarmKind::kValueOutOfRange, 'I');
   if (block_.has('J') && thread_.infeed <= 0) complain(AlarmKind::kValueSign, 'J');
   if (thread_.depth < 0 && !lenient_) complain(AlarmKind::kValueSign, 'K');

@@ -148,7 +148,9 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/modes.cpp"},
     {"NGC-SPD-02", must, kLaterModes, "A feed under G96 while the spindle stands is an alarm.",
      "reference/rs274/modes.cpp"},
-    {"NGC-DIA-01", must, kLaterModes, "Under G7 X is a diameter, and X moves by half; G8 ends it.",
+    {"NGC-DIA-01", must, kLaterModes,
+     "Under G7 X is a diameter, and X moves by half; I, J and K of G76 are diameters, too. G8 ends "
+     "it.",
      "reference/rs274/words.cpp"},
     {"NGC-DIA-02", open, kLaterModes,
      "No text says what X is in the block in which G7 or G8 changes the mode, nor X of offsets "

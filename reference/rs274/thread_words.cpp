@@ -43,6 +43,10 @@ class Reader {
   }
   // A length, or a number; 0 where there is none.
   Number length(char address) const { return words_.length(address).value_or(0); }
+  // NGC-DIA-01: a length across the thread, which is a diameter under G7.
+  Number across(char address) const {
+    return block_.machine.modes.diameter ? length(address) / 2 : length(address);
+  }
   std::optional<Number> whole(char address);
   Number travel() const { return read_.end[Axis::z] - block_.machine.position[Axis::z]; }
 
@@ -82,9 +86,9 @@ void Reader::check_axes() {
 
 void Reader::read_depths() {
   read_.lead = length('P');
-  read_.peak = length('I');
-  read_.first_depth = length('J');
-  read_.full_depth = length('K');
+  read_.peak = across('I');
+  read_.first_depth = across('J');
+  read_.full_depth = across('K');
   if (words_.has('P') && decides("P", read_.lead) <= 0 && !forgives()) {
     refuse(AlarmClass::value_sign, 'P', "The lead, {} mm, is not above zero.", {read_.lead});
   }

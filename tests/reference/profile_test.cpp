@@ -3,6 +3,7 @@
 // The machine profile: its keys and defaults, the two notations, and what is said of a bad one.
 #include "reference/profile.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -252,6 +253,18 @@ TEST(Profile, AFlagIsTrueOrFalse) {
   toml_refused("x_diameter = \"yes\"", "x_diameter", {"true", "false"});
   toml_refused("block_skip = 1", "block_skip", {"true", "false"});
   json_refused(R"({"x_diameter":null})", "x_diameter", {"true", "false"});
+}
+
+TEST(Profile, ADiameterIsRefusedWhereXIsALengthAtPowerOn) {
+  for (const char* dialect : {"rs274", "sinumerik840d", "sinumerik802s"}) {
+    json_refused(fmt::format(R"({{"dialect":"{}","x_diameter":true}})", dialect), "x_diameter",
+                 {dialect, "length"});
+  }
+}
+
+TEST(Profile, NoOffsetsAreNamedWhereADialectHasNone) {
+  json_refused(R"({"dialect":"sinumerik840d","offsets":{"G54":{"x":"1"}}})", "offsets.G54",
+               {"no work offsets"});
 }
 
 TEST(Profile, ATextThatIsNoNumberIsRefused) {

@@ -33,6 +33,12 @@ TEST(NgcWorkedThreads, EqualDepthsUpToTheFullOne) {
   EXPECT_EQ(threads("G76 P2 Z-20 I-1 J0.5 K1.5", column("linuxcnc")), want);
 }
 
+// LinuxCNC's page of G76: I, J and K are diameters under G7, as X is.
+TEST(NgcWorkedThreads, LengthsAcrossAreDiametersUnderG7) {
+  EXPECT_EQ(trace("G7\nG18 S100 M3\nG0 X40 Z2\nG76 P2 Z-20 I-2 J1 K3\nM2", ngc()),
+            threads("G76 P2 Z-20 I-1 J0.5 K1.5"));
+}
+
 // W42: d = 0.5 sqrt n while n < (K/J)^2 = 4, so 0.5, sqrt(2)/2, sqrt(3)/2; then 1 twice.
 TEST(NgcWorkedThreads, DepthsByTheRootOfTheNumberOfThePass) {
   const std::string program = std::string(kDrive) + "G76 P2 Z-20 I-1 J0.5 K1 R2 H1\nM2";
