@@ -197,14 +197,23 @@ void Interpreter::check_block() {
   }
   check_sizes(machine_, block_, kMeasured);
   check_numbers();
+  for (const FunctionWord& word : block_.functions()) check_signal(word);
 }
+
+namespace {
+
+bool is_below_zero(const Decimal& number) {
+  return number.minus && (number.value != 0 || number.finer || number.overflow);
+}
+
+}  // namespace
 
 // NGC-COM-09
 void Interpreter::check_numbers() {
   for (const char address : {'S', 'T'}) {
     if (!block_.has(address)) continue;
     const Decimal& number = block_.number(address);
-    if (number.minus && (number.value != 0 || number.finer || number.overflow)) {
+    if (is_below_zero(number)) {
       machine_.complain(AlarmKind::kValueSign, address, block_);
     } else if (address == 'T' && !number.overflow && !machine_.whole.function(number)) {
       machine_.complain(AlarmKind::kNotAnInteger, 'T', block_);
@@ -212,6 +221,61 @@ void Interpreter::check_numbers() {
       machine_.complain(AlarmKind::kNoTool, 'T', block_);  // no profile with tools is taken
     }
   }
+}
+
+// NGC-COM-09: the words of M61 to M68.
+void Interpreter::check_signal(const FunctionWord& word) {
+  const auto need = [&](char address) {
+    if (!block_.has(address)) {
+      machine_.complain(AlarmKind::kMissingWord, address, word.position);
+    } else if (address != 'P' && is_below_zero(block_.number(address))) {
+      machine_.complain(AlarmKind::kValueSign, address, block_);
+    }
+  };
+  switch (word.number.value_or(0)) {
+    case 61:
+      need('Q');
+      if (block_.has('Q') && block_.number('Q').value > 0 &&
+          machine_.configuration.looks_for_tools) {
+        machine_.complain(AlarmKind::kNoTool, 'Q', block_);
+      }
+      return;
+    case 62:
+    case 63:
+    case 64:
+    case 65:
+      return need('P');
+    case 66:
+      return check_input(word);
+    case 67:
+    case 68:
+      return need('E');
+    default:
+      return;
+  }
+}
+
+void Interpreter::check_input(const FunctionWord& word) {
+  if (block_.has('P') && block_.has('E')) {
+    return machine_.complain(AlarmKind::kConflictingWords, 'E', block_);
+  }
+  const char input = block_.has('E') ? 'E' : 'P';
+  if (!block_.has(input)) {
+    machine_.complain(AlarmKind::kMissingWord, 'P', word.position);
+  } else if (is_below_zero(block_.number(input))) {
+    machine_.complain(AlarmKind::kValueSign, input, block_);
+  }
+  if (!block_.has('L')) return;
+  const Decimal& mode = block_.number('L');
+  if (is_below_zero(mode)) return machine_.complain(AlarmKind::kValueSign, 'L', block_);
+  const auto whole = machine_.whole.function(mode);
+  if (!whole && !mode.overflow) return machine_.complain(AlarmKind::kNotAnInteger, 'L', block_);
+  if (whole && *whole == 0) return;
+  if (input == 'E') machine_.complain(AlarmKind::kConflictingWords, 'L', block_);
+  if (!block_.has('Q')) return machine_.complain(AlarmKind::kMissingWord, 'Q', word.position);
+  const Decimal& wait = block_.number('Q');
+  const bool waits = !wait.minus && (wait.value != 0 || wait.finer || wait.overflow);
+  if (!waits) machine_.complain(AlarmKind::kValueSign, 'Q', block_);
 }
 
 bool Interpreter::check_functions() {

@@ -31,6 +31,8 @@ class Interpreter {
   Flow check_coverage();
   void check_block();
   void check_numbers();
+  void check_signal(const FunctionWord& word);
+  void check_input(const FunctionWord& word);
   bool check_functions();
   void prepare(Plan& plan);
   void take_feed_mode();

@@ -102,7 +102,9 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "its last line alarms, after all motion.",
      "reference/rs274/program_text.cpp"},
     {"NGC-COM-09", must, kBlocks,
-     "The speed S is not below zero; the tool T is a whole number that is not below zero either.",
+     "The speed S is not below zero; the tool T is a whole number that is not below zero either, "
+     "nor Q of M61. M62 to M65 need P, M67 and M68 E; M66 needs P or E, and with L, which goes with P "
+     "alone, a time Q above zero.",
      "reference/rs274/m_functions.cpp"},
     {"NGC-COM-10", must, kOverview,
      "The last comment in brackets of a line may say something: (abort,...) ends the program with "

@@ -282,6 +282,7 @@ void check_each_word(const BlockWords& words, const Profile& profile, const Read
   check_m_groups(words.block(), readings, alarms);
   check_feed_sign(words, clause, alarms);
   check_spindle_and_tool(words, profile, readings, alarms);
+  check_signals(words, profile, readings, alarms);
 }
 
 // NGC-G4-02: whether the motion alone is wrong, and not for want of a word that is looked for when

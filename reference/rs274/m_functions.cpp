@@ -120,7 +120,7 @@ void check_tool_table(const Number& number, const grammar::Word& word, const Pro
                       const ReadingsInUse& readings, std::vector<Alarm>& alarms) {
   if (number.sign() <= 0 || profile.tools.contains(number.text())) return;
   if (!readings.is("ngc.missing-tool=alarm"_reading)) return;
-  alarms.push_back({AlarmClass::no_tool, "NGC-COM-11"_clause, 'T', word.where,
+  alarms.push_back({AlarmClass::no_tool, "NGC-COM-11"_clause, word.address, word.where,
                     fmt::format("{} is no tool of the table.", text_of(word))});
 }
 
@@ -144,6 +144,93 @@ void check_spindle_and_tool(const BlockWords& words, const Profile& profile,
     }
     alarms.push_back({AlarmClass::not_an_integer, clause, address, word.where,
                       fmt::format("{} is no tool: its number is whole.", text_of(word))});
+  }
+}
+
+namespace {
+
+// NGC-COM-09: the words of one of M61 to M68.
+class SignalWords {
+ public:
+  SignalWords(const grammar::Word& function, const BlockWords& words,
+              const ReadingsInUse& readings, std::vector<Alarm>& alarms)
+      : function_(function), words_(words), readings_(readings), alarms_(alarms) {}
+
+  void need(char address) {
+    if (!words_.has(address)) {
+      add(AlarmClass::missing_word, address, fmt::format("{} needs {}.", name(), address));
+    }
+  }
+  // One that is below zero is none.
+  void need_index(char address) {
+    need(address);
+    if (!is_negative(address)) return;
+    add(AlarmClass::value_sign, address, fmt::format("{} of {} is below zero.", address, name()));
+    add(AlarmClass::missing_word, address, fmt::format("{} needs {}.", name(), address));
+  }
+  void check_input();
+
+ private:
+  std::string name() const { return text_of(function_); }
+  bool is_negative(char address) const {
+    return words_.has(address) && words_.written(address).sign() < 0;
+  }
+  void check_wait();
+  void add(AlarmClass alarm, char address, std::string message) {
+    const grammar::Word& at = words_.has(address) ? *words_.word(address) : function_;
+    alarms_.push_back({alarm, "NGC-COM-09"_clause, address, at.where, std::move(message)});
+  }
+
+  const grammar::Word& function_;
+  const BlockWords& words_;
+  const ReadingsInUse& readings_;
+  std::vector<Alarm>& alarms_;
+};
+
+// M66 takes a digital input or an analogue one.
+void SignalWords::check_input() {
+  if (words_.has('P') && words_.has('E')) {
+    return add(AlarmClass::conflicting_words, 'E', "M66 waits for P or for E, not for both.");
+  }
+  need_index(words_.has('E') ? 'E' : 'P');
+  if (is_negative('L')) {
+    return add(AlarmClass::value_sign, 'L', "L of M66 is below zero.");
+  }
+  const NearWhole mode(words_.has('L') ? words_.written('L') : Number(0));
+  if (!mode.counts_as_whole(Whole::m_function, readings_)) {
+    return add(AlarmClass::not_an_integer, 'L', "L of M66 is not whole.");
+  }
+  if (mode.nearest().sign() != 0) check_wait();
+}
+
+// A digital input alone is waited for, and not for ever.
+void SignalWords::check_wait() {
+  if (words_.has('E')) {
+    add(AlarmClass::conflicting_words, 'L', "M66 does not wait for an analogue input: L is 0.");
+    add(AlarmClass::value_out_of_range, 'L', "L of M66 with E is 0.");  // either is true
+  }
+  need('Q');
+  if (!words_.has('Q') || words_.written('Q').sign() > 0) return;
+  add(AlarmClass::value_sign, 'Q', "The longest wait is not above zero.");
+  if (!is_negative('Q')) add(AlarmClass::value_out_of_range, 'Q', "The longest wait is zero.");
+}
+
+}  // namespace
+
+// NGC-COM-09
+void check_signals(const BlockWords& words, const Profile& profile, const ReadingsInUse& readings,
+                   std::vector<Alarm>& alarms) {
+  for (const grammar::Word& word : words.block().words) {
+    if (word.address != 'M') continue;
+    SignalWords signal(word, words, readings, alarms);
+    const std::int64_t number = m_number(word, readings).value_or(0);
+    if (number == 61) signal.need_index('Q');
+    if (number == 61 && words.has('Q')) {
+      check_tool_table(words.written('Q'), *words.word('Q'), profile, readings, alarms);
+    }
+    if (number >= 62 && number <= 65) signal.need('P');
+    if (number == 66) signal.check_input();
+    if (number == 67 || number == 68) signal.need_index('E');
   }
 }
 

@@ -30,4 +30,8 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
 void check_spindle_and_tool(const BlockWords& words, const Profile& profile,
                             const ReadingsInUse& readings, std::vector<Alarm>& alarms);
 
+// The words of M61 to M68 (NGC-COM-09).
+void check_signals(const BlockWords& words, const Profile& profile, const ReadingsInUse& readings,
+                   std::vector<Alarm>& alarms);
+
 }  // namespace gonogo::reference::rs274

@@ -13,6 +13,13 @@ std::string ngc_alarm(const std::string& block, const char* profile = "{}") {
 
 TEST(NgcAlarm, SpeedsAndToolsBelowZeroAndAborts) {
   EXPECT_EQ(ngc_alarm("S-1"), "value-sign");
+  EXPECT_EQ(ngc_alarm("M61 Q-1"), "value-sign");
+  EXPECT_EQ(ngc_alarm("M62"), "missing-word");
+  EXPECT_EQ(ngc_alarm("M66 P0 E0"), "conflicting-words");
+  EXPECT_EQ(ngc_alarm("M66 P0 L1 Q0"), "value-sign");
+  EXPECT_EQ(ngc_alarm("M66 P0 L1"), "missing-word");
+  EXPECT_EQ(ngc_alarm("M66 E0 L3 Q1"), "conflicting-words");
+  EXPECT_EQ(ngc_alarm("M67 Q1"), "missing-word");
   EXPECT_EQ(ngc_alarm("T-1"), "value-sign");
   EXPECT_EQ(ngc_alarm("T1.5"), "not-an-integer");
   EXPECT_EQ(ngc_alarm("S1.5 T0"), "");

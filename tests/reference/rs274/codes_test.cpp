@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Codes that the language has and lacks, and words that stand twice.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ngc_expanding.hpp"
@@ -76,6 +77,32 @@ TEST(NgcCodes, SpeedsAndToolsAreNotBelowZero) {
   EXPECT_EQ(ending_of("T-2"), "alarm b1 value-sign");
   EXPECT_EQ(ending_of("G0 X1\nT1.5 X2"), "alarm b2 not-an-integer");
   EXPECT_EQ(path("S100.5 T0 M3\nG0 X1"), Lines{"rapid x1"});
+}
+
+// LinuxCNC 2.9 as measured alarms where these do; of P0 L1 Q0 it says "zero timeout".
+TEST(NgcCodes, MFunctionsOfSignalsNeedTheirWords) {
+  const std::pair<const char*, const char*> alarms[] = {
+      {"M61", "missing-word"},
+      {"M61 Q-1", "value-sign"},
+      {"M62", "missing-word"},
+      {"M65", "missing-word"},
+      {"M66", "missing-word"},
+      {"M66 L0", "missing-word"},
+      {"M66 P0 E0", "conflicting-words"},
+      {"M66 P-1", "value-sign"},
+      {"M66 P0 L-1", "value-sign"},
+      {"M66 P0 L0.5", "not-an-integer"},
+      {"M66 P0 L1", "missing-word"},
+      {"M66 P0 L1 Q0", "value-sign"},
+      {"M66 E0 L3 Q1", "conflicting-words"},
+      {"M67 Q1", "missing-word"},
+      {"M68 E-1 Q1", "value-sign"}};
+  for (const auto& [block, alarm] : alarms) {
+    EXPECT_EQ(ending_of(block), fmt::format("alarm b1 {}", alarm)) << block;
+  }
+  for (const char* block : {"M62 P-1", "M62 P1.5", "M66 P0", "M66 P0 L5 Q1", "M67 E0", "M61 Q0"}) {
+    EXPECT_EQ(ending_of(std::string(block) + "\nM2").substr(0, 3), "end") << block;
+  }
 }
 
 TEST(NgcCodes, MFunctionsAreKnownOrNot) {
