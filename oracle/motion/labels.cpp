@@ -31,14 +31,15 @@ bool is_near_double(const Number& got, const Number& exact) {
 
 }  // namespace
 
-// Where no resolution is declared a decimal is taken as what it says: the value rounded to its own
-// last place, and none coarser than the profile's increment.
+// R3. Where no resolution is declared a decimal is taken as what it says: the value rounded to its
+// own last place, and none coarser than the profile's increment.
 bool stands_for(const Number& got, const Number& exact, const std::optional<Number>& resolution,
                 const Tolerances& terms) {
   if (visible_sign(got - exact) == 0) return true;
   const bool may_be_double = terms.binary64 || (!terms.exact && !resolution);
   if (may_be_double && is_near_double(got, exact)) return true;
   if (resolution) return agree(got * 2, exact * 2, *resolution);
+  if (terms.exact) return false;
   if (!agree(got * 2, exact * 2, terms.increment)) return false;
   const std::optional<Number> step = last_place(got);
   return step && agree(got * 2, exact * 2, *step);

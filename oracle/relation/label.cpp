@@ -37,6 +37,19 @@ bool is_same(const Number& a, const Number& b) {
   return !are_apart(a, b, 0);
 }
 
+// Half of the last place that a decimal is written to, or of the least increment where that is
+// finer; 0 where it is no decimal.
+Number half_of_last_place(const Number& written, const Number& increment) {
+  constexpr int kMostPlaces = 40;
+  Number step = 1;
+  for (int place = 0; place < kMostPlaces && written.is_rational(); ++place) {
+    const Number steps = written / step;
+    if (steps == steps.floor()) return min(step, increment) / 2;
+    step = step / 10;
+  }
+  return 0;
+}
+
 }  // namespace
 
 bool is_same(const Label& a, const Label& b) {
@@ -51,7 +64,9 @@ bool agree(const Number& want, const Number& got, const std::optional<Number>& r
   const bool may_be_double = terms.binary64 || (!terms.exact && !resolution);
   const Number last_places =
       may_be_double ? abs(want.bounds(kBitsOfLabel)[0]) * Number::binary(1, -51) : Number(0);
-  const Number half = resolution ? *resolution / 2 : Number(0);
+  const Number half = resolution    ? *resolution / 2
+                      : terms.exact ? Number(0)
+                                    : half_of_last_place(got, terms.increment);
   return !are_apart(want, got, max(half, last_places));
 }
 
@@ -71,10 +86,9 @@ bool is_same_kind(const Label& want, const Label& got, const Tolerances& terms) 
 
 // A lead is a length and agrees as lengths do; so does the angle of a start, within a turn.
 bool is_same_thread(const Label& want, const Label& got, const Tolerances& terms) {
-  const std::optional<Number> resolution = terms.resolution.value_or(terms.increment);
   for (const int turn : {-360, 0, 360}) {
-    if (!agree(want.start + turn, got.start, resolution, terms)) continue;
-    return agree(want.lead, got.lead, resolution, terms);
+    if (!agree(want.start + turn, got.start, terms.resolution, terms)) continue;
+    return agree(want.lead, got.lead, terms.resolution, terms);
   }
   return false;
 }
