@@ -125,7 +125,49 @@ TEST(AlarmJudge, MFunctionsOfTheBlockThatAlarmsMayComeOrNot) {
     EXPECT_EQ(
         kind_with_m(m_function(1, 3) + kRapidInLine2 + m_function(2, 8) + m_function(3, 9), blocks),
         VerdictKind::pass_exact);
+    // Each as often as the block names it.
+    EXPECT_EQ(kind_with_m(m_function(1, 3) + kRapidInLine2 + m_function(2, 8) + m_function(3, 9) +
+                              m_function(3, 9),
+                          blocks),
+              VerdictKind::fail_geometry);
   }
+}
+
+// R6: no alarm behind what is left undone makes it right, so that nothing behind it leaves the
+// verdict open: a block that is not covered, a loop without end, readings by the dozen.
+TEST(AlarmJudge, AnAlarmBeforeWhatIsDueIsDecidedWhateverStandsBehind) {
+  const auto kind = [](std::string_view dialect, std::string_view program, int block,
+                       const std::string& done = m_function(1, 3)) {
+    return judge_trace(program, done + alarm(block, "syntax"), {.m = true, .dialect = dialect})
+        .kind;
+  };
+  constexpr VerdictKind kSpurious = VerdictKind::fail_alarm_spurious;
+  const std::string_view uncovered = "G21 G90 F100 M3 S100\nG0 X5\nG1 X10\nG41 G1 X20\nM2\n";
+  EXPECT_EQ(kind("rs274", uncovered, 1), kSpurious);
+  EXPECT_EQ(kind("rs274", uncovered, 2), kSpurious);
+  EXPECT_EQ(kind("rs274", uncovered, 3), kSpurious);
+  EXPECT_EQ(kind("rs274", "F100 M3 S100\nG1 X5\nO1 while [1 EQ 1]\nO1 endwhile\nM2\n", 2),
+            kSpurious);
+  EXPECT_EQ(kind("hnc21t",
+                 "M03\nG00 X50 Z5\nG75 X30 Z-4 R1 Q3 I2 F50\nG82 X40 Z-20 R1 E1 F2 C2 P90\nM30\n",
+                 2),
+            kSpurious);
+  // A cut that is broken off before a block that is not covered.
+  const std::string begun = m_function(1, 3) + R"({"k":"rapid","b":2,"to":{"x":"5"}})" + "\n" +
+                            R"({"k":"feed","b":3,"to":{"x":"7"},"f":"100"})" + "\n";
+  EXPECT_EQ(kind("rs274", uncovered, 3, begun), kSpurious);
+  // All that is due has come: what the block that is not covered does, nobody knows.
+  const std::string whole = m_function(1, 3) + R"({"k":"rapid","b":2,"to":{"x":"5"}})" + "\n" +
+                            R"({"k":"feed","b":3,"to":{"x":"10"},"f":"100"})" + "\n";
+  EXPECT_EQ(kind("rs274", uncovered, 4, whole), VerdictKind::oracle_gap);
+}
+
+TEST(AlarmJudge, AnEarlyAlarmIsToldWithThatOfTheProgram) {
+  const Verdict said = judge_trace("G00 X130 Z5\nG00 X120\nG94 X110 Z-10 R40 F300\n",
+                                   kRapidToStart + alarm(2, "taper-limit"));
+  EXPECT_EQ(said.kind, VerdictKind::fail_alarm_spurious);
+  EXPECT_EQ(said.message, "The alarm comes in a block before the right one.");
+  EXPECT_NE(said.want.find("taper-limit"), std::string::npos);
 }
 
 // The first departure decides.
