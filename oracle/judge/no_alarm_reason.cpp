@@ -126,14 +126,35 @@ NoAlarmReason reason_for_no_alarm(const reference::Profile& profile, const Progr
   return found;
 }
 
-bool alarms_without_block(const reference::Profile& profile, const ProgramText& program,
-                          std::uint64_t block, const SubjectAlarm& alarm) {
-  const auto without = [&](const grammar::Line& line) {
-    return std::optional(line.number == block ? std::string_view() : line.text);
+namespace {
+
+// The line with blanks for the words at fault.
+std::string without_faults(std::string_view line, const reference::AlarmReport& report) {
+  std::string text(line);
+  for (const reference::Alarm& alarm : report.alarms) {
+    const std::size_t begin = std::min<std::size_t>(alarm.where.begin, text.size());
+    const std::size_t end = std::min<std::size_t>(alarm.where.end, text.size());
+    if (begin < end) std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, ' ');
+  }
+  return text;
+}
+
+}  // namespace
+
+bool alarms_without(const reference::Profile& profile, const ProgramText& program,
+                    const reference::AlarmReport& report, const SubjectAlarm& alarm) {
+  std::string left;
+  const auto alarms = [&](bool keeps_rest) {
+    const auto change = [&](const grammar::Line& line) -> std::optional<std::string_view> {
+      if (line.number != report.block) return line.text;
+      left = keeps_rest ? without_faults(line.text, report) : std::string();
+      return left;
+    };
+    const auto found = alarm_of(profile, program, change, kMostItems);
+    return found && found->block == alarm.block && admits(*found, alarm.alarm_class);
   };
   try {
-    const auto report = alarm_of(profile, program, without, kMostItems);
-    return report && report->block == alarm.block && admits(*report, alarm.alarm_class);
+    return alarms(false) || alarms(true);
   } catch (const exact::Undecided&) {
     return false;  // nothing says that it does
   }

@@ -35,9 +35,9 @@ struct NoAlarmReason {
 NoAlarmReason reason_for_no_alarm(const reference::Profile& profile, const ProgramText& program,
                                   const AlarmPlace& place, std::string_view alarm_class);
 
-// R7: whether the program alarms so in a later block, once the text of `block` is taken out
-// of it: a control that runs on over that block comes to this alarm.
-bool alarms_without_block(const reference::Profile& profile, const ProgramText& program,
-                          std::uint64_t block, const SubjectAlarm& alarm);
+// R7: whether the program alarms so in a later block, once the block that alarms or its words at
+// fault are taken out: a control that runs on over that block comes to this alarm.
+bool alarms_without(const reference::Profile& profile, const ProgramText& program,
+                    const reference::AlarmReport& report, const SubjectAlarm& alarm);
 
 }  // namespace gonogo::oracle

@@ -327,7 +327,7 @@ std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from, const
   };
   if (terms_.compare_blocks && alarm.block > report.block && !terms_.strict &&
       reference::is_silent(firmest(report).clause) &&
-      alarms_without_block(profile_, program_, report.block, alarm)) {
+      alarms_without(profile_, program_, report, alarm)) {
     return ran_on(verdict(VerdictKind::fail_alarm_missing, "The alarm is missing."), terms_);
   }
   if (from.after_alarm) {

@@ -45,10 +45,19 @@ std::string cut_at(const reference::Profile& profile, std::string_view program, 
   });
 }
 
+// Without a block, or with blanks for its words at fault.
 std::string without(const reference::Profile& profile, std::string_view program,
-                    std::uint64_t block) {
+                    const AlarmReport& report, bool keeps_rest) {
+  std::string left;
   return lines_of(profile, program, [&](const grammar::Line& line) {
-    return std::optional(line.number == block ? std::string_view() : line.text);
+    if (line.number != report.block) return std::optional(line.text);
+    left = keeps_rest ? line.text : std::string_view();
+    for (const reference::Alarm& alarm : report.alarms) {
+      for (std::size_t at = alarm.where.begin; at < alarm.where.end && at < left.size(); ++at) {
+        left[at] = ' ';
+      }
+    }
+    return std::optional(std::string_view(left));
   });
 }
 
@@ -67,10 +76,12 @@ std::optional<AlarmReport> alarm_of(const reference::Profile& profile, std::stri
 }  // namespace
 
 bool alarms_without(const reference::Profile& profile, std::string_view program,
-                    std::uint64_t block, const oracle::SubjectAlarm& alarm) {
-  const auto found = alarm_of(profile, without(profile, program, block));
-  const bool is_block = found && (alarm.block == 0 || found->block == alarm.block);
-  return is_block && admits(*found, alarm.alarm_class);
+                    const AlarmReport& report, const oracle::SubjectAlarm& alarm) {
+  return std::ranges::any_of(std::array{false, true}, [&](bool keeps_rest) {
+    const auto found = alarm_of(profile, without(profile, program, report, keeps_rest));
+    const bool is_block = found && (alarm.block == 0 || found->block == alarm.block);
+    return is_block && admits(*found, alarm.alarm_class);
+  });
 }
 
 bool alarms_before_fault(const reference::Profile& profile, std::string_view program,

@@ -406,6 +406,23 @@ TEST(Silence, ExcusesNoMotionsWhereAnotherAlternativeHasThem) {
   EXPECT_EQ(kind(garbage, "hnc.g75.i=P"), VerdictKind::advice);
 }
 
+// R7: a spindle below zero is our alarm; a control that runs the block takes its F, and comes to the
+// arc whose radius is too short.
+TEST(Silence, ARunOnKeepsWhatElseTheBlockSays) {
+  const std::string ran = R"({"k":"m","b":1,"m":3}
+{"k":"rapid","b":2,"to":{"x":"0","y":"0","z":"0"}}
+{"k":"feed","b":3,"to":{"x":"5"},"f":"100"}
+)";
+  const auto kind = [&](std::string_view alarm_class) {
+    return judge_trace("M3 S-100 F100\nG0 X0 Y0 Z0\nG1 X5\nG2 X10 CR=1\nM30\n",
+                       ran + R"({"k":"alarm","b":4,"class":")" + std::string(alarm_class) + "\"}\n",
+                       {.m = true, .dialect = "sinumerik840d"})
+        .kind;
+  };
+  EXPECT_EQ(kind("arc-radius"), VerdictKind::advice);
+  EXPECT_EQ(decision(kind("syntax")), Decision::no_go);
+}
+
 // `alarm_timing`: a control that checks at load alarms with no motion at all.
 TEST(Silence, ExcusesTheSameAtLoad) {
   const auto kind = [](const char* timing, std::uint64_t block, std::string_view alarm_class) {
