@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/causes.hpp"
+#include "cli/mapped_subject.hpp"
 #include "fuzz/hunt/campaign_page.hpp"
 #include "fuzz/hunt/finding_files.hpp"
 #include "fuzz/identify/shared_causes.hpp"
@@ -21,28 +22,6 @@ using identify::ProgramAsked;
 
 constexpr std::size_t kMostOthers = 400;  // programs
 
-// The subject with its own alarms under the names of the gauge.
-class MappedSubject : public oracle::Subject {
- public:
-  MappedSubject(std::unique_ptr<oracle::Subject> inner,
-                std::shared_ptr<const oracle::AlarmMap> alarms)
-      : inner_(std::move(inner)), alarms_(std::move(alarms)) {}
-
-  const oracle::SubjectInfo& info() const override { return inner_->info(); }
-  void configure(const reference::Profile& profile) override { inner_->configure(profile); }
-  oracle::RunEnd run(std::string_view id, std::string_view program,
-                     const oracle::RecordSink& sink) override {
-    oracle::RunEnd end = inner_->run(id, program, sink);
-    if (alarms_) alarms_->name_class(end);
-    return end;
-  }
-  void renew() override { inner_->renew(); }
-
- private:
-  std::unique_ptr<oracle::Subject> inner_;
-  std::shared_ptr<const oracle::AlarmMap> alarms_;
-};
-
 // A breakdown has no cause in the reference's terms, and one program does not show what is left
 // over from others.
 bool may_have_cause(const hunt::Signature& signature) {
@@ -53,7 +32,7 @@ std::unique_ptr<oracle::Subject> subject_to_ask(const TrialWords& words) {
   const hunt::TrialOptions options = trial_options(words);
   auto made = trial_subject(words)();
   made->set_run_limit(options.run_limit);
-  return std::make_unique<MappedSubject>(std::move(made), options.alarm_map);
+  return with_alarm_map(std::move(made), options.alarm_map);
 }
 
 identify::ExplanationTerms terms_of(const TrialWords& words) {

@@ -8,9 +8,11 @@
 #include "cli/commands.hpp"
 #include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/mapped_subject.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/sandbox_options.hpp"
+#include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "fuzz/identify/attribution.hpp"
 #include "fuzz/identify/identify.hpp"
@@ -22,6 +24,7 @@ namespace {
 
 struct IdentifyWords {
   std::string subject;
+  std::string alarm_map;
   std::string departure;
   std::string corpus;
   std::string out;
@@ -121,9 +124,10 @@ int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
 
 int identify_subject(IdentifyWords words) {
   words.limits.stated = stated_machine(words.profile);
-  const std::unique_ptr<oracle::Subject> subject =
+  const std::unique_ptr<oracle::Subject> subject = with_alarm_map(
       subject_maker(words.subject, sandboxed(words.limits.limits(), words.limits.sandbox,
-                                             words.subject, {}))();
+                                             words.subject, {}))(),
+      words.alarm_map.empty() ? nullptr : load_alarm_map(words.alarm_map));
   return words.departure.empty() ? find_readings(words, *subject) : find_cause(words, *subject);
 }
 
@@ -134,6 +138,7 @@ void add_identify(Command& program) {
   Command command = program.add_command(
       "identify", "Find which readings a subject follows, or what a departure comes from");
   command.needed_option("--subject", words->subject, "subject, as certify takes it");
+  command.option("--alarm-map", words->alarm_map, "TOML file of what its own alarms mean");
   command.option(
       "--departure", words->departure,
       "a program, or a case of the corpus, on which the subject departs: name the cause");

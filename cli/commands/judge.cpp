@@ -13,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/recorded_trace.hpp"
 #include "cli/sandbox_options.hpp"
+#include "cli/subject_files.hpp"
 #include "cli/times_text.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
@@ -29,6 +30,7 @@ struct JudgeOptions {
   std::string program;
   std::string trace;
   std::string subject;
+  std::string alarm_map;
   std::string numeric;
   std::string resolution;
   std::string sheet;
@@ -49,6 +51,13 @@ oracle::Tolerances terms_for(const TraceFeatures& features, const JudgeOptions& 
   if (!options.numeric.empty()) subject.numeric_kind = options.numeric;
   subject.says_numeric = subject.resolution || !options.numeric.empty();
   return make_tolerances(subject, profile, options.limits.grants());
+}
+
+// The end of a trace, its alarm under the names of the gauge.
+oracle::RunEnd end_of(const TraceSummary& seen, const JudgeOptions& options) {
+  oracle::RunEnd end = seen.end;
+  if (!options.alarm_map.empty()) load_alarm_map(options.alarm_map)->name_class(end);
+  return end;
 }
 
 void check_numeric(const std::string& kind) {
@@ -74,11 +83,12 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
       features = seen.features;
       continue;
     }
-    oracle::SessionVerdict said = session.finish(seen.end);
+    const oracle::RunEnd end = end_of(seen, options);
+    oracle::SessionVerdict said = session.finish(end);
     const bool departs = decision(said.verdict.kind) == oracle::Decision::no_go ||
                          said.verdict.kind == oracle::VerdictKind::advice;
     if (departs) {
-      said.verdict.reading = explaining_reading(profile, program, terms, trace, seen.end);
+      said.verdict.reading = explaining_reading(profile, program, terms, trace, end);
     }
     return said;
   }
@@ -131,9 +141,10 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
   }
   const relation::Tolerances terms =
       terms_of_definition(terms_for(seen.features, options, profile), options, profile);
-  const bool alarms = seen.end.kind == oracle::RunEnd::Kind::alarm;
+  const oracle::RunEnd end = end_of(seen, options);
+  const bool alarms = end.kind == oracle::RunEnd::Kind::alarm;
   const relation::Answer answer = relation::decide(profile, text_of(program), terms,
-                                                   {records, alarms ? &seen.end.alarm : nullptr});
+                                                   {records, alarms ? &end.alarm : nullptr});
   Output output;
   output.text() = answer_text(answer) + not_compared_text(seen.features);
   output.tell();
@@ -185,7 +196,7 @@ std::vector<reference::Record> drawn_records(const RecordedTrace& trace) {
 
 // The subject runs the program now, and its own description says what is compared.
 int judge_subject(const JudgeOptions& options, const reference::Profile& profile) {
-  TrialWords words{options.subject, {}, {}, options.limits};
+  TrialWords words{options.subject, options.alarm_map, {}, options.limits};
   words.limits.stated.profile = profile;
   hunt::TrialOptions terms = trial_options(words);
   terms.strict = options.limits.strict;
@@ -256,6 +267,8 @@ void add_judge(Command& program) {
   command.argument("program", options->program, "NC program, or - for standard input");
   command.option("--trace", options->trace, "records as JSON lines, or - for standard input");
   command.option("--subject", options->subject, "or who runs the program now: as for certify");
+  command.option("--alarm-map", options->alarm_map,
+                 "TOML file of what its own alarms mean");
   command.option("--numeric", options->numeric,
                  "how the trace's numbers were computed: fixed, binary64 or exact");
   command.option("--resolution", options->resolution,
