@@ -177,8 +177,8 @@ class SignalWords {
   }
   void check_wait();
   void add(AlarmClass alarm, char address, std::string message) {
-    const grammar::Word& at = words_.has(address) ? *words_.word(address) : function_;
-    alarms_.push_back({alarm, "NGC-COM-09"_clause, address, at.where, std::move(message)});
+    const grammar::Span where = words_.place_of(address).value_or(words_.behind());
+    alarms_.push_back({alarm, "NGC-COM-09"_clause, address, where, std::move(message)});
   }
 
   const grammar::Word& function_;
