@@ -39,7 +39,6 @@ bool stands_for(const Number& got, const Number& exact, const std::optional<Numb
   const bool may_be_double = terms.binary64 || (!terms.exact && !resolution);
   if (may_be_double && is_near_double(got, exact)) return true;
   if (resolution) return agree(got * 2, exact * 2, *resolution);
-  if (terms.exact) return false;
   if (!agree(got * 2, exact * 2, terms.increment)) return false;
   const std::optional<Number> step = last_place(got);
   return step && agree(got * 2, exact * 2, *step);

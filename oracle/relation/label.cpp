@@ -64,9 +64,7 @@ bool agree(const Number& want, const Number& got, const std::optional<Number>& r
   const bool may_be_double = terms.binary64 || (!terms.exact && !resolution);
   const Number last_places =
       may_be_double ? abs(want.bounds(kBitsOfLabel)[0]) * Number::binary(1, -51) : Number(0);
-  const Number half = resolution    ? *resolution / 2
-                      : terms.exact ? Number(0)
-                                    : half_of_last_place(got, terms.increment);
+  const Number half = resolution ? *resolution / 2 : half_of_last_place(got, terms.increment);
   return !are_apart(want, got, max(half, last_places));
 }
 
