@@ -24,17 +24,17 @@ void each_trial(long usual, Body&& body) {
   params.seed = trial_seed();
   params.maxSuccess = static_cast<int>(trial_count(usual));
   rc::detail::TestMetadata metadata;
-  metadata.id = testing::UnitTest::GetInstance()->current_test_info()->name();
+  metadata.id = ::testing::UnitTest::GetInstance()->current_test_info()->name();
   std::printf("%d trials, GONOGO_SEED=%llu\n", params.maxSuccess,
               static_cast<unsigned long long>(params.seed));
   const auto result = rc::detail::checkTestable(
       [&] {
         const generate::Decisions bytes = *generate::decisions();
         Chance chance(bytes);
-        testing::TestPartResultArray said;
+        ::testing::TestPartResultArray said;
         {
-          const testing::ScopedFakeTestPartResultReporter reporter(
-              testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &said);
+          const ::testing::ScopedFakeTestPartResultReporter reporter(
+              ::testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &said);
           body(chance);
         }
         for (int i = 0; i < said.size(); ++i) {

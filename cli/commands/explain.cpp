@@ -10,9 +10,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "oracle/steps/different_assignments.hpp"
 #include "oracle/judge/time_rows.hpp"
 #include "oracle/records/run_scope.hpp"
+#include "oracle/steps/different_assignments.hpp"
 #include "publish/manual/motion_text.hpp"
 #include "reference/expander.hpp"
 

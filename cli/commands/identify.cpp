@@ -125,8 +125,8 @@ int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
 int identify_subject(IdentifyWords words) {
   words.limits.stated = stated_machine(words.profile);
   const std::unique_ptr<oracle::Subject> subject = with_alarm_map(
-      subject_maker(words.subject, sandboxed(words.limits.limits(), words.limits.sandbox,
-                                             words.subject, {}))(),
+      subject_maker(words.subject,
+                    sandboxed(words.limits.limits(), words.limits.sandbox, words.subject, {}))(),
       words.alarm_map.empty() ? nullptr : load_alarm_map(words.alarm_map));
   return words.departure.empty() ? find_readings(words, *subject) : find_cause(words, *subject);
 }

@@ -143,8 +143,8 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
       terms_of_definition(terms_for(seen.features, options, profile), options, profile);
   const oracle::RunEnd end = end_of(seen, options);
   const bool alarms = end.kind == oracle::RunEnd::Kind::alarm;
-  const relation::Answer answer = relation::decide(profile, text_of(program), terms,
-                                                   {records, alarms ? &end.alarm : nullptr});
+  const relation::Answer answer =
+      relation::decide(profile, text_of(program), terms, {records, alarms ? &end.alarm : nullptr});
   Output output;
   output.text() = answer_text(answer) + not_compared_text(seen.features);
   output.tell();
@@ -267,8 +267,7 @@ void add_judge(Command& program) {
   command.argument("program", options->program, "NC program, or - for standard input");
   command.option("--trace", options->trace, "records as JSON lines, or - for standard input");
   command.option("--subject", options->subject, "or who runs the program now: as for certify");
-  command.option("--alarm-map", options->alarm_map,
-                 "TOML file of what its own alarms mean");
+  command.option("--alarm-map", options->alarm_map, "TOML file of what its own alarms mean");
   command.option("--numeric", options->numeric,
                  "how the trace's numbers were computed: fixed, binary64 or exact");
   command.option("--resolution", options->resolution,

@@ -84,8 +84,7 @@ bool concerns(const reference::Dialect& dialect, const reference::Clause& clause
   if (concerns(clause.id, about)) return true;
   return std::ranges::any_of(dialect.descriptor->codes, [&](const reference::Code& code) {
     if (code.is_m() || !is_code(code.text(), about)) return false;
-    return reference::clause_name(code.clause) == clause.id ||
-           names_code(clause.text, code.text());
+    return reference::clause_name(code.clause) == clause.id || names_code(clause.text, code.text());
   });
 }
 
@@ -247,9 +246,9 @@ int spec(const SpecOptions& options) {
     if (!options.dialect.empty() && options.dialect != dialect.name) continue;
     if (!concerns(dialect, options.about)) continue;
     has_any = true;
-    output.text() += fmt::format("Dialect {}, at power-on {}.\nTexts: {}.\n", dialect.name,
-                                 reference::power_on_text(dialect.name),
-                                 reference::editions_of(dialect.name));
+    output.text() +=
+        fmt::format("Dialect {}, at power-on {}.\nTexts: {}.\n", dialect.name,
+                    reference::power_on_text(dialect.name), reference::editions_of(dialect.name));
     append_clauses(dialect, options.about, output.text());
     append_readings(dialect.name, options.about, output.text());
     append_codes(dialect, options.about, output.text());

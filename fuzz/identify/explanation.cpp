@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "grammar/parser.hpp"
 #include "fuzz/identify/same_path.hpp"
 #include "fuzz/program/text.hpp"
+#include "grammar/parser.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::identify {

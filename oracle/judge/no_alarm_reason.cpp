@@ -134,7 +134,8 @@ std::string without_faults(std::string_view line, const reference::AlarmReport& 
   for (const reference::Alarm& alarm : report.alarms) {
     const std::size_t begin = std::min<std::size_t>(alarm.where.begin, text.size());
     const std::size_t end = std::min<std::size_t>(alarm.where.end, text.size());
-    if (begin < end) std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, ' ');
+    if (begin < end)
+      std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, ' ');
   }
   return text;
 }

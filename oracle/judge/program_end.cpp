@@ -426,8 +426,8 @@ bool ProgramJudge::is_alarm_behind_end(Hypothesis& from, const Alarming& alarmin
   return alignment_.go_on_behind_end(from, std::move(verdict));
 }
 
-// Whether a step is due behind the block of the subject's alarm, before which others are undone: then
-// no alarm of the program makes it right.
+// Whether a step is due behind the block of the subject's alarm, before which others are undone:
+// then no alarm of the program makes it right.
 bool ProgramJudge::is_behind_alarm(const Alarming& alarming, const ReferenceStep& step) const {
   if (!alarming.unfinished || !terms_.compare_blocks) return false;
   const std::uint64_t alarmed = alarming.alarm.block;

@@ -202,8 +202,7 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
   // An alarm behind it is another one, which the program has without the block.
   const auto runs_on = [&] {
     if (is_before || (alarms && is_block)) return false;
-    return outcome_.alarm == nullptr ||
-           alarms_without(profile_, program_, report, *outcome_.alarm);
+    return outcome_.alarm == nullptr || alarms_without(profile_, program_, report, *outcome_.alarm);
   };
   if (reference::is_silent(firmest(report).clause) && !terms_.strict && runs_on()) {
     Answer advice = at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm.");

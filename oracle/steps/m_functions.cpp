@@ -72,10 +72,10 @@ std::size_t times_named(std::string_view line, std::int32_t number) {
 }
 
 Verdict m_function_missing(const Record& due, std::string got, std::size_t number) {
-  Verdict verdict = m_verdict(VerdictKind::fail_geometry, &due, nullptr, number,
-                              got == "end"
-                                  ? "The trace ends before this M function."
-                                  : "An M function is due here, and something else comes.");
+  Verdict verdict =
+      m_verdict(VerdictKind::fail_geometry, &due, nullptr, number,
+                got == "end" ? "The trace ends before this M function."
+                             : "An M function is due here, and something else comes.");
   verdict.got = std::move(got);
   return verdict;
 }

@@ -152,8 +152,8 @@ namespace {
 // NGC-COM-09: the words of one of M61 to M68.
 class SignalWords {
  public:
-  SignalWords(const grammar::Word& function, const BlockWords& words,
-              const ReadingsInUse& readings, std::vector<Alarm>& alarms)
+  SignalWords(const grammar::Word& function, const BlockWords& words, const ReadingsInUse& readings,
+              std::vector<Alarm>& alarms)
       : function_(function), words_(words), readings_(readings), alarms_(alarms) {}
 
   void need(char address) {

@@ -76,8 +76,8 @@ Kind kind_of_m(const Dialect& dialect, const std::string& name) {
   const Profile profile = bench_profile(dialect);
   // M61 to M68 of RS274/NGC need a word (NGC-COM-09).
   const bool has_tool = dialect.name == "rs274" && name == "M61";
-  const bool has_signal = dialect.name == "rs274" && name.starts_with("M6") && name.size() == 3 &&
-                          name >= "M62";
+  const bool has_signal =
+      dialect.name == "rs274" && name.starts_with("M6") && name.size() == 3 && name >= "M62";
   const char* const word = has_tool ? " Q0" : !has_signal ? "" : name >= "M67" ? " E0" : " P0";
   const Said said = said_of("G0 X1 " + name + word + "\nG0 X2\n", profile);
   if (said.records.find("\"to\":{\"x\":\"2\"") == std::string::npos &&

@@ -148,10 +148,10 @@ TEST(AlarmJudge, AnAlarmBeforeWhatIsDueIsDecidedWhateverStandsBehind) {
   EXPECT_EQ(kind("rs274", uncovered, 3), kSpurious);
   EXPECT_EQ(kind("rs274", "F100 M3 S100\nG1 X5\nO1 while [1 EQ 1]\nO1 endwhile\nM2\n", 2),
             kSpurious);
-  EXPECT_EQ(kind("hnc21t",
-                 "M03\nG00 X50 Z5\nG75 X30 Z-4 R1 Q3 I2 F50\nG82 X40 Z-20 R1 E1 F2 C2 P90\nM30\n",
-                 2),
-            kSpurious);
+  EXPECT_EQ(
+      kind("hnc21t",
+           "M03\nG00 X50 Z5\nG75 X30 Z-4 R1 Q3 I2 F50\nG82 X40 Z-20 R1 E1 F2 C2 P90\nM30\n", 2),
+      kSpurious);
   // A cut that is broken off before a block that is not covered.
   const std::string begun = m_function(1, 3) + R"({"k":"rapid","b":2,"to":{"x":"5"}})" + "\n" +
                             R"({"k":"feed","b":3,"to":{"x":"7"},"f":"100"})" + "\n";

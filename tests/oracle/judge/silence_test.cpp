@@ -406,8 +406,8 @@ TEST(Silence, ExcusesNoMotionsWhereAnotherAlternativeHasThem) {
   EXPECT_EQ(kind(garbage, "hnc.g75.i=P"), VerdictKind::advice);
 }
 
-// R7: a spindle below zero is our alarm; a control that runs the block takes its F, and comes to the
-// arc whose radius is too short.
+// R7: a spindle below zero is our alarm; a control that runs the block takes its F, and comes to
+// the arc whose radius is too short.
 TEST(Silence, ARunOnKeepsWhatElseTheBlockSays) {
   const std::string ran = R"({"k":"m","b":1,"m":3}
 {"k":"rapid","b":2,"to":{"x":"0","y":"0","z":"0"}}
