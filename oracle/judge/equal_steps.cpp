@@ -58,6 +58,7 @@ bool ProgramJudge::plain_ahead() {
 }
 
 void ProgramJudge::go_on() {
+  has_acted_ = true;
   InStep& step = *in_step_;
   step.coordinates += step.next.coordinates();
   step.at = step.next.to;

@@ -453,7 +453,7 @@ std::optional<AlarmReport> ProgramJudge::alarm_behind(const SubjectAlarm& alarm)
 
 ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlarm& alarm) {
   // A controller that checks at load has put out nothing.
-  const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && records_ == 0;
+  const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !has_acted_;
   Alarming alarming{alarm, at_load, reference_.at(from.step).item, !from.is_fresh()};
   auto& unfinished = alarming.unfinished;
   for (std::size_t passed = 0; passed < kMostItems; ++passed) {

@@ -142,6 +142,7 @@ void ProgramJudge::take_motion(const Record& record) {
     const Position& at = alignment_.hypotheses().front().at;
     if (makes_progress(motion_from(at, record, records_ - 1))) budget_.forgive();
   }
+  has_acted_ = true;
   if (!alignment_.take_motion(record, records_ - 1)) return decide_departure();
   const Forgiven forgiven = alignment_.take_forgiven();
   budget_.forgive(forgiven.records);
@@ -158,6 +159,7 @@ void ProgramJudge::forget_passed() {
 
 // R5.
 void ProgramJudge::take_m_function(const Record& record) {
+  has_acted_ = true;
   switch (alignment_.take_m_function(record, records_ - 1)) {
     case Alignment::MFunction::taken:
       return forget_passed();
@@ -169,6 +171,7 @@ void ProgramJudge::take_m_function(const Record& record) {
 }
 
 void ProgramJudge::take_dwell(const Record& record) {
+  has_acted_ = true;
   if (!alignment_.take_dwell(record, records_ - 1)) decide_departure();
   forget_passed();
 }

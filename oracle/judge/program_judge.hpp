@@ -110,6 +110,7 @@ class ProgramJudge {
   Alignment alignment_;
   RecordBudget budget_;
   VisitedPlaces visited_;
+  bool has_acted_ = false;  // the subject has put out an event that is compared
   std::size_t records_ = 0;
 
   // While the records of both sides are the same; then the hypothesis is behind.

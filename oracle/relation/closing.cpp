@@ -248,8 +248,11 @@ void Correspondence::close_by_alarm(const Place& place) {
 
 // R6: a control that checks at load alarms with no event before.
 bool Correspondence::is_alarm_at_load() {
+  const bool has_acted = std::ranges::any_of(outcome_.records, [&](const Record& record) {
+    return terms_.compare_m || record.kind != RecordKind::m;
+  });
   if (profile_.alarm_timing != reference::AlarmTiming::program || outcome_.alarm == nullptr ||
-      !outcome_.records.empty()) {
+      has_acted) {
     return false;
   }
   ReferenceSide& sides = *pairs_.front().reference;

@@ -221,6 +221,7 @@ std::vector<std::size_t> other_places(const std::vector<Record>& records, std::s
 
 // Before the motions of its block, behind them, or between them.
 bool m_elsewhere_in_its_block(Attempt& attempt) {
+  if (!attempt.terms.compare_blocks) return false;  // the records do not say which block is its own
   std::vector<Record>& records = attempt.trace.records;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const Record& record = records[i];
