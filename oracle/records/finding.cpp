@@ -37,22 +37,22 @@ std::string about(std::string_view text) {
 constexpr std::size_t kLongestHeading = 80;  // bytes of a heading
 
 // The sentence with "..." for what changes from run to run: numbers, quoted parts.
-std::string constant_part(std::string_view message) {
+std::string constant_part(std::string_view sentence) {
   constexpr std::string_view kQuotes = "\"`";
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string text;
-  for (std::size_t at = 0; at < message.size(); ++at) {
-    if (is_digit(message[at])) {
+  for (std::size_t at = 0; at < sentence.size(); ++at) {
+    if (is_digit(sentence[at])) {
       text += "...";
-      while (at + 1 < message.size() && is_digit(message[at + 1])) ++at;
+      while (at + 1 < sentence.size() && is_digit(sentence[at + 1])) ++at;
       continue;
     }
-    text += message[at];
-    if (kQuotes.find(message[at]) == std::string_view::npos) continue;
+    text += sentence[at];
+    if (kQuotes.find(sentence[at]) == std::string_view::npos) continue;
     text += "...";
-    at = message.find(message[at], at + 1);
+    at = sentence.find(sentence[at], at + 1);
     if (at == std::string_view::npos) break;
-    text += message[at];
+    text += sentence[at];
   }
   return excerpt(text, kLongestHeading);
 }
