@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <tuple>
 
 #include "tests/oracle/relation/deciding.hpp"
@@ -50,10 +51,11 @@ std::string rule_of_definition(const Specimen& specimen, const Trace& mutant) {
 
 // By reservoir: the smallest of a kind is the one to look at.
 void note(std::vector<Survivor>& all, const Specimen& specimen, const Operator& op,
-          const Statement& statement, const Verdict& verdict, const Trace& mutant) {
+          const Statement& statement, const Verdict& verdict, const Trace& mutant,
+          std::string rule) {
   Survivor survivor{specimen.id,
                     std::string(op.name),
-                    rule_of_definition(specimen, mutant),
+                    std::move(rule),
                     statement.why,
                     verdict_text(verdict),
                     fmt::format("{}{}\n{}", specimen.program,
@@ -68,7 +70,7 @@ void print_some(std::string_view title, std::vector<Survivor> all) {
                     [](const Survivor& one) { return std::tie(one.size, one.id, one.op); });
   std::map<std::pair<std::string, std::string>, long> kinds;
   for (const Survivor& one : all)
-    ++kinds[{one.rule + ", " + one.op, one.why + " | " + one.verdict}];
+    ++kinds[{one.rule.empty() ? one.op : one.rule + ", " + one.op, one.why + " | " + one.verdict}];
   fmt::print("\n{}: {} of {} kinds\n", title, all.size(), kinds.size());
   std::size_t printed = 0;
   for (const auto& [kind, count] : kinds) {
@@ -146,7 +148,7 @@ void Bench::count(const Specimen& specimen, const Operator& op, const Statement&
   const Decision decided = decision(verdict.kind);
   if (statement.answer == Answer::same) {
     ++row.explained[statement.why];
-    if (decided != Decision::go) note(harsh_, specimen, op, statement, verdict, mutant);
+    if (decided != Decision::go) note(harsh_, specimen, op, statement, verdict, mutant, "");
     return;
   }
   ++row.wrong;
@@ -158,7 +160,11 @@ void Bench::count(const Specimen& specimen, const Operator& op, const Statement&
   } else {
     if (decided == Decision::undecided) ++row.gap;
     ++row.survivors;
-    note(survivors_, specimen, op, statement, verdict, mutant);
+    // The definition may take minutes for a level, and this is told before.
+    fmt::print("survivor: {} {} {}\n", specimen.id, op.name, verdict_text(verdict));
+    std::fflush(stdout);
+    note(survivors_, specimen, op, statement, verdict, mutant,
+         rule_of_definition(specimen, mutant));
   }
 }
 

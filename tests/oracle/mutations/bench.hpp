@@ -26,7 +26,7 @@ struct Row {
 struct Survivor {
   std::string id;
   std::string op;
-  std::string rule;  // that is broken, by the definition (docs/relation.md)
+  std::string rule;  // that is broken, by the definition (docs/relation.md); empty: not asked
   std::string why;
   std::string verdict;
   std::string text;  // program and trace
