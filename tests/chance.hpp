@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <iterator>
+#include <optional>
+#include <random>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -47,11 +49,12 @@ inline std::uint64_t trial_seed() {
 class Chance {
  public:
   // Endless; or as long as there are bytes, and the first choice after that.
-  explicit Chance(std::uint64_t seed) : choices_(seed) {}
+  explicit Chance(std::uint64_t seed) : random_(seed), choices_(seed) {}
   explicit Chance(std::span<const std::uint8_t> bytes) : choices_(bytes) {}
 
   // A whole number below `end`; one of a list; true once in so many; any 64 bits.
   std::size_t below(std::size_t end) {
+    if (random_) return static_cast<std::size_t>((*random_)() % end);
     return static_cast<std::size_t>(choices_.between(0, static_cast<std::int64_t>(end) - 1));
   }
   template <typename List>
@@ -71,6 +74,7 @@ class Chance {
   generate::Choices& choices() { return choices_; }
 
  private:
+  std::optional<std::mt19937_64> random_;  // of a seed
   generate::Choices choices_;
 };
 
