@@ -37,22 +37,22 @@ std::string about(std::string_view text) {
 constexpr std::size_t kLongestHeading = 80;  // bytes of a heading
 
 // The sentence with "..." for what changes from run to run: numbers, quoted parts.
-std::string constant_part(std::string_view sentence) {
+std::string constant_part(std::string_view said) {
   constexpr std::string_view kQuotes = "\"`";
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string text;
-  for (std::size_t at = 0; at < sentence.size(); ++at) {
-    if (is_digit(sentence[at])) {
+  for (std::size_t at = 0; at < said.size(); ++at) {
+    if (is_digit(said[at])) {
       text += "...";
-      while (at + 1 < sentence.size() && is_digit(sentence[at + 1])) ++at;
+      while (at + 1 < said.size() && is_digit(said[at + 1])) ++at;
       continue;
     }
-    text += sentence[at];
-    if (kQuotes.find(sentence[at]) == std::string_view::npos) continue;
+    text += said[at];
+    if (kQuotes.find(said[at]) == std::string_view::npos) continue;
     text += "...";
-    at = sentence.find(sentence[at], at + 1);
+    at = said.find(said[at], at + 1);
     if (at == std::string_view::npos) break;
-    text += sentence[at];
+    text += said[at];
   }
   return excerpt(text, kLongestHeading);
 }
@@ -114,8 +114,8 @@ std::string Cause::text() const {
 std::string Finding::text() const {
   std::string out(name(key.kind));
   if (!key.clause.empty()) out += " at " + key.clause;
-  const bool is_said = is_breakdown(key.kind) && has_one_message && !smallest.message.empty();
-  const std::string said = is_said ? excerpt(smallest.message, kLongestHeading) : key.what;
+  const bool is_one = is_breakdown(key.kind) && messages.size() == 1 && !messages.begin()->empty();
+  const std::string said = is_one ? excerpt(*messages.begin(), kLongestHeading) : key.what;
   const std::string_view what = said;
   const std::size_t slash = what.find('/');
   if (is_breakdown(key.kind) || slash == std::string_view::npos) {
@@ -163,7 +163,7 @@ const Finding* Findings::add(const CaseHead& line, VerdictKind kind) {
   ++finding.by_cycle[line.cycle];
   if (finding.first.size() < kFirstOfFinding) finding.first.push_back(line.id);
   const Finding::Example example{line.id, line.message, line.program_blocks, line.program_bytes};
-  finding.has_one_message &= added || line.message == finding.smallest.message;
+  if (finding.messages.size() < 2) finding.messages.insert(line.message);
   is_smallest_ = added || size_of(example) < size_of(finding.smallest);
   if (is_smallest_) finding.smallest = example;
   return &finding;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,7 +63,7 @@ struct Finding {
   std::size_t number = 0;  // from 1, in the order in which they were met
   std::size_t cases = 0;
   Example smallest;
-  bool has_one_message = true;  // all cases say the same, which is then the heading of a breakdown
+  std::set<std::string> messages;  // one where all cases say the same, else the first two
   std::vector<std::string> first;               // ids
   std::map<std::string, std::size_t> by_cycle;  // cases
   Cause cause;
