@@ -31,6 +31,7 @@ std::vector<oracle::KnownCause> load_known_causes(const std::string& file) {
 }
 
 std::shared_ptr<const oracle::AlarmMap> load_alarm_map(const std::string& file) {
+  if (file.empty()) return nullptr;
   return std::make_shared<const oracle::AlarmMap>(
       checked(oracle::alarm_map_from_toml(read_file(file, "an alarm map")), file));
 }

@@ -14,6 +14,7 @@ namespace gonogo::cli {
 // Both throw UsageError, with the file and what is wrong in it.
 std::vector<oracle::KnownFailure> load_known_failures(const std::string& file);
 std::vector<oracle::KnownCause> load_known_causes(const std::string& file);
+// Null: no file is named.
 std::shared_ptr<const oracle::AlarmMap> load_alarm_map(const std::string& file);
 
 }  // namespace gonogo::cli

@@ -54,7 +54,7 @@ hunt::TrialOptions trial_options(const TrialWords& words) {
   options.chord = length_option(words.limits.chord, "--chord");
   options.feed_resolution = feed_option(words.limits.feed_resolution, "--feed-resolution");
   options.run_limit = words.limits.limits().run;
-  if (!words.alarm_map.empty()) options.alarm_map = load_alarm_map(words.alarm_map);
+  options.alarm_map = load_alarm_map(words.alarm_map);
   return options;
 }
 

@@ -70,7 +70,7 @@ class Chance {
   void shuffle(List& list) {
     for (std::size_t i = std::size(list); i > 1; --i) std::swap(list[i - 1], list[below(i)]);
   }
-  // For a generator, from the same source.
+  // For a generator: of bytes, the rest of them.
   generate::Choices& choices() { return choices_; }
 
  private:

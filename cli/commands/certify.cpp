@@ -66,7 +66,7 @@ void read_subject_files(const CertifyOptions& options, oracle::CampaignOptions& 
   if (!options.known_failures.empty()) {
     campaign.known_failures = load_known_failures(options.known_failures);
   }
-  if (!options.alarm_map.empty()) campaign.alarm_map = load_alarm_map(options.alarm_map);
+  campaign.alarm_map = load_alarm_map(options.alarm_map);
 }
 
 // Every reading must exist, admit its value, and belong to a dialect that is judged.

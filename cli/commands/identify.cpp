@@ -127,7 +127,7 @@ int identify_subject(IdentifyWords words) {
   const std::unique_ptr<oracle::Subject> subject = with_alarm_map(
       subject_maker(words.subject,
                     sandboxed(words.limits.limits(), words.limits.sandbox, words.subject, {}))(),
-      words.alarm_map.empty() ? nullptr : load_alarm_map(words.alarm_map));
+      load_alarm_map(words.alarm_map));
   return words.departure.empty() ? find_readings(words, *subject) : find_cause(words, *subject);
 }
 

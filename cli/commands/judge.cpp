@@ -56,7 +56,7 @@ oracle::Tolerances terms_for(const TraceFeatures& features, const JudgeOptions& 
 // The end of a trace, its alarm under the names of the gauge.
 oracle::RunEnd end_of(const TraceSummary& seen, const JudgeOptions& options) {
   oracle::RunEnd end = seen.end;
-  if (!options.alarm_map.empty()) load_alarm_map(options.alarm_map)->name_class(end);
+  if (const auto alarms = load_alarm_map(options.alarm_map)) alarms->name_class(end);
   return end;
 }
 

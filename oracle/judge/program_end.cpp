@@ -8,6 +8,7 @@
 #include <map>
 
 #include "oracle/judge/advice.hpp"
+#include "oracle/judge/changed_program.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/program_judge.hpp"
 #include "oracle/judge/unreadable_block.hpp"
@@ -382,7 +383,8 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& al
           : spurious_alarm(alarming, "The subject alarms, and the program has no fault.");
   if (report == nullptr && unfinished && terms_.compare_blocks &&
       departure->kind == VerdictKind::fail_alarm_spurious) {
-    if (const auto behind = alarm_behind(alarming.alarm)) {
+    const auto behind = own_alarm();
+    if (behind && behind->block > alarming.alarm.block) {
       departure->message = "The alarm comes in a block before the right one.";
       departure->want = alarms_text(*behind);
     }
@@ -435,18 +437,10 @@ bool ProgramJudge::is_behind_alarm(const Alarming& alarming, const ReferenceStep
   return block_of(alarming.unfinished->step.what) >= alarmed && block != 0 && block != alarmed;
 }
 
-// The program's own alarm behind that of the subject, which is told of an alarm that comes early.
-std::optional<AlarmReport> ProgramJudge::alarm_behind(const SubjectAlarm& alarm) const try {
-  ProgramInput input(program_);
-  reference::Expander expander(profile_, input.lines, reference::OpenPaths::judged);
-  for (std::size_t passed = 0; passed < kMostItems; ++passed) {
-    const reference::Item* item = expander.next();
-    if (item == nullptr || std::holds_alternative<NotCovered>(*item)) return std::nullopt;
-    const auto* report = std::get_if<AlarmReport>(item);
-    if (report == nullptr) continue;
-    return report->block > alarm.block ? std::optional(*report) : std::nullopt;
-  }
-  return std::nullopt;
+// The program's own alarm, which is told of a subject's that comes before it.
+std::optional<AlarmReport> ProgramJudge::own_alarm() const try {
+  const auto as_it_is = [](const grammar::Line& line) { return std::optional(line.text); };
+  return alarm_of(profile_, program_, as_it_is, kMostItems);
 } catch (const exact::Undecided&) {
   return std::nullopt;
 }

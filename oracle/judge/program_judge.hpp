@@ -94,7 +94,7 @@ class ProgramJudge {
   NoAlarmReason why_no_alarm(const Alarming& alarming) const;
   bool is_alarm_behind_end(Hypothesis& from, const Alarming& alarming);
   bool is_behind_alarm(const Alarming& alarming, const ReferenceStep& step) const;
-  std::optional<reference::AlarmReport> alarm_behind(const SubjectAlarm& alarm) const;
+  std::optional<reference::AlarmReport> own_alarm() const;
   std::optional<Verdict> alarm_outside(const SubjectAlarm& alarm) const;
   // Whether an open path is looked at where the subject alarms.
   bool is_left_at_alarm(Hypothesis& from);

@@ -63,7 +63,7 @@ struct Finding {
   std::size_t number = 0;  // from 1, in the order in which they were met
   std::size_t cases = 0;
   Example smallest;
-  std::set<std::string> messages;  // one where all cases say the same, else the first two
+  std::set<std::string> messages;               // one where all say the same, else two
   std::vector<std::string> first;               // ids
   std::map<std::string, std::size_t> by_cycle;  // cases
   Cause cause;
@@ -86,7 +86,8 @@ class Findings {
   // For one dialect, verdict, clause and `what`.
   void set_cause(const Finding::Key& key, Cause cause);
   // By gravity, or by the cycle that most of their cases are of and then by gravity; a feed for a
-  // traverse behind a wrong place; then the smallest program first. Those of one cause stand together, where the first of them stands.
+  // traverse behind a wrong place; then the smallest program first. Those of one cause stand
+  // together, where the first of them stands.
   enum class Order : std::uint8_t { gravity, cycle };
   std::vector<const Finding*> list(Order order = Order::gravity) const;
   bool empty() const { return findings_.empty(); }

@@ -157,16 +157,14 @@ class SignalWords {
       : function_(function), words_(words), readings_(readings), alarms_(alarms) {}
 
   void need(char address) {
-    if (!words_.has(address)) {
-      add(AlarmClass::missing_word, address, fmt::format("{} needs {}.", name(), address));
-    }
+    if (!words_.has(address)) add_missing(address);
   }
   // One that is below zero is none.
   void need_index(char address) {
     need(address);
     if (!is_negative(address)) return;
     add(AlarmClass::value_sign, address, fmt::format("{} of {} is below zero.", address, name()));
-    add(AlarmClass::missing_word, address, fmt::format("{} needs {}.", name(), address));
+    add_missing(address);
   }
   void check_input();
 
@@ -176,6 +174,9 @@ class SignalWords {
     return words_.has(address) && words_.written(address).sign() < 0;
   }
   void check_wait();
+  void add_missing(char address) {
+    add(AlarmClass::missing_word, address, fmt::format("{} needs {}.", name(), address));
+  }
   void add(AlarmClass alarm, char address, std::string message) {
     const grammar::Span where = words_.place_of(address).value_or(words_.behind());
     alarms_.push_back({alarm, "NGC-COM-09"_clause, address, where, std::move(message)});
