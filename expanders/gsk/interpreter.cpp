@@ -187,6 +187,7 @@ void Interpreter::enter_cycle(Cycle cycle) {
   if (!entering_) return;
   const Retained tool = state.pocket.tool_radius;
   state.pocket = {};
+  state.thread = {};
   const bool leaks = machine_.has("tool-leaks-into-helix"_fault) && before == Mode::kPocket;
   if (leaks) state.pocket.tool_radius = tool;
 }

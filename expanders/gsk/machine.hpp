@@ -80,6 +80,17 @@ struct PocketStore {
   Retained turns;        // L of G112, in counts of a turn
 };
 
+/// The words of G114 to G117, of one block or kept (reading gsk.thread.modal).
+struct ThreadWords {
+  Retained lead;      // I
+  Retained diameter;  // E
+  Retained height;    // P
+  Retained tool;      // D
+  Retained infeed;    // Q
+  Retained run_out;   // J
+  Retained angle;     // K, degrees from 0 to below 360
+};
+
 /// All that one block hands to the next.
 struct State {
   Point position{};
@@ -92,6 +103,7 @@ struct State {
   Cycle cycle = Cycle::kNone;
   TurningStore turning;
   PocketStore pocket;
+  ThreadWords thread;
   Fixed initial_plane = 0;  // of the cycle in force
 };
 

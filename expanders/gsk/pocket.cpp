@@ -47,9 +47,12 @@ void check_modal_words(Machine& machine) {
 // GSK-G110-16, GSK-G110-03.
 void check_sizes(Machine& machine) {
   const PocketStore& store = machine.state.pocket;
-  check_positive(
-      machine,
-      {{'I', store.radius}, {'L', store.step}, {'Q', store.step_down}, {'D', store.tool_radius}});
+  check_positive(machine,
+                 {{'I', store.radius}, {'L', store.step}, {'D', store.tool_radius}});
+  // GSK-G110-20
+  if (machine.follows("gsk.pocket.q-zero=alarm"_reading)) {
+    check_positive(machine, {{'Q', store.step_down}});
+  }
   const Fixed tool = store.tool_radius.value;
   const bool fits = machine.has("tool-equality-accepted"_fault) ? store.radius.value >= tool
                                                                 : store.radius.value > tool;
@@ -73,7 +76,8 @@ void prepare_milling(Machine& machine, const Block& block, Pocket& pocket) {
   const DepthRules rules{.from_initial = machine.has("depth-from-initial-plane"_fault)};
   find_depth(machine, block, store.r_plane, rules, pocket.site);
   if (pocket.site.depth != 0) machine.check_feed();
-  pocket.step_down = store.step_down.present ? store.step_down.value : magnitude(pocket.site.depth);
+  const bool in_layers = store.step_down.present && store.step_down.value > 0;
+  pocket.step_down = in_layers ? store.step_down.value : magnitude(pocket.site.depth);
   pocket.clearance = magnitude(store.clearance.value);
   if (machine.has("clearance-signed"_fault)) pocket.clearance = store.clearance.value;
   if (machine.has("clearance-twice"_fault)) pocket.clearance *= 2;
@@ -163,9 +167,11 @@ bool mill_layers(Machine& machine, const Pocket& pocket) {
       return false;
     }
     if (!more) break;
-    // GSK-G110-11: not beyond the R plane.
+    // GSK-G110-11: beyond the R plane under a reading.
     Fixed entry = last - pocket.clearance;
-    if (!machine.has("clearance-unclamped"_fault)) entry = std::max<Fixed>(entry, 0);
+    const bool beyond = machine.follows("gsk.pocket.p-beyond=literal"_reading) !=
+                        machine.has("clearance-unclamped"_fault);
+    if (!beyond) entry = std::max<Fixed>(entry, 0);
     if (!machine.tracer.rapid_axis(d, pocket.site.r_plane + down * entry)) return false;
   }
   return true;

@@ -185,8 +185,10 @@ bool mill_thread(Machine& machine, const ThreadMilling& thread) {
   if (!approach(machine, thread.site)) return false;  // GSK-G114-05
   if (thread.site.depth != 0 && !ThreadMill(machine, thread).run()) return false;
   if (machine.has("thread-ends-at-r-plane"_fault)) return true;
-  return machine.tracer.rapid_axis(machine.plane().d,
-                                   thread.site.initial_plane);  // GSK-G114-07
+  const std::size_t d = machine.plane().d;
+  const Fixed plane = thread.site.initial_plane;  // GSK-G114-07
+  const bool at_feed = thread.site.depth != 0 && machine.follows("gsk.thread.return=feed"_reading);
+  return at_feed ? machine.cut_axis(d, plane) : machine.tracer.rapid_axis(d, plane);
 }
 
 }  // namespace gonogo::expanders::gsk

@@ -5,13 +5,16 @@
 namespace gonogo::expanders::sinumerik {
 namespace {
 
-// SIE-POL-02: absolute under G90 and G91 alike. IC adds to the angle in force, except a pole.
+// SIE-POL-02: absolute under G90 and G91 alike, or by a reading not. IC adds to the angle in force,
+// except a pole.
 void take_angle(Machine& machine, const Block& block, bool for_pole, Polar& polar) {
   const Value& value = block.value(Address::kPolarAngle);
   if (std::fabs(value.counts) > kFullTurn) {
     return machine.complain(AlarmKind::kValueOutOfRange, Address::kPolarAngle, block);
   }
-  const bool by_g91 = machine.has("ap-follows-g91"_fault) && machine.state.incremental &&
+  const bool follows_g91 = machine.follows("sie.ap.g91=incremental"_reading) !=
+                           machine.has("ap-follows-g91"_fault);
+  const bool by_g91 = follows_g91 && machine.state.incremental && !for_pole &&
                       value.mode == Value::Mode::kPlain && polar.has_angle;
   const bool adds = by_g91 || (value.mode == Value::Mode::kIncremental && !for_pole);
   if (adds && !polar.has_angle) {

@@ -13,6 +13,9 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"sie.spindle", "off|alarm"},
     {"sie.initial-motion", "g1|g0"},
     {"sie.g70.f", "mm|inch"},
+    {"sie.ar.zero", "none|alarm"},
+    {"sie.ap.g91", "absolute|incremental"},
+    {"sie.cip.collinear", "straight|alarm"},
     {"sie.arc.correct", "start-radius|project|programmed"},
     {"sie.g158", "absolute|additive"},
     {"sie.g258", "absolute|rotation-only"},
@@ -26,7 +29,7 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"sie.finish.levels", "split"},
     {"sie.pocket.path", "any"},
 });
-inline constexpr std::size_t kReadingsOf840D = 5;
+inline constexpr std::size_t kReadingsOf840D = 8;
 
 consteval Reading operator""_reading(const char* name, std::size_t size) {
   return find_reading(kReadings, {name, size});

@@ -79,7 +79,9 @@ void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
       !broken && length(cross(to_via, to_end)) <= kRounding * (length(to_via) + length(to_end));
   if (in_line) {
     const bool between = dot(to_via, to_end) > 0 && dot(via_to_end, to_end) > 0;
-    broken = !between || machine.has("cip-straight-refused"_fault);
+    const bool refused = machine.follows("sie.cip.collinear=alarm"_reading) !=
+                         machine.has("cip-straight-refused"_fault);
+    broken = !between || refused;
   }
   if (broken) {
     return machine.complain(AlarmKind::kArcIntermediatePoint, first_intermediate_word(block),

@@ -23,9 +23,7 @@ inline constexpr std::string_view kNotExpected =
     "The texts have these forms and the gauge does not read them: it expects nothing of them.";
 
 inline constexpr auto kBases = std::to_array<ClauseBasis>({
-    {"GSK-G94-09",
-     "The figures of opposite signs give abs(R) <= abs(W): beyond it B lies on the other side of "
-     "A."},
+    {"GSK-G94-09", kAsChosen},
     {"GSK-G94-11", "R is said to be a radius value; the end points are diameters."},
     {"GSK-G94-12",
      "What is not commanded has no travel; the straight form is the taper form without R."},
@@ -43,22 +41,24 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
      "Note 2 wants one direction of R and Q; Q has no sign, so its direction is that of the "
      "infeed, from the R plane to the bottom."},
     {"GSK-G110-07", "Step 2 moves by R without a feed; the sister cycles print the traverse."},
-    {"GSK-G110-11", "Step 7 goes to the last depth and P; above the R plane there is no material."},
+    {"GSK-G110-11", kAsChosen},
     {"GSK-G110-13", kAsChosen},
     {"GSK-G110-15",
      "The list of the codes has G80 and the cutting codes in group 01, and a modal code holds "
      "until another of its group."},
     {"GSK-G110-16",
-     "A step or an infeed of nothing never comes to an end; I is larger than D, which is no less "
-     "than 0."},
+     "A step of nothing never comes to an end; I is larger than D, which is no less than 0."},
     {"GSK-G110-17", kAsChosen},
     {"GSK-G110-18", kAsChosen},
+    {"GSK-G110-20", kAsChosen},
+    {"GSK-G112-07", kAsChosen},
     {"GSK-G112-09",
      "Only the tangential semicircles from the centre to the circle of I - D have the "
      "radius (I - D)/2; the code names one sense."},
     {"GSK-G112-10",
      "Note 2, printed again below G112: R has the direction of the infeed, which Q stands for."},
     {"GSK-G114-01", "The table of the words, as that of G110 in the same chapter."},
+    {"GSK-G114-07", kAsChosen},
     {"GSK-G114-09",
      "Clockwise and counterclockwise as in the rest of the chapter; clockwise on the way down is a "
      "right-hand thread."},
@@ -67,8 +67,8 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"GSK-G114-12", kAsChosen},
     {"GSK-G114-13", kAsChosen},
     {"GSK-G114-15",
-     "The tool goes down at the centre of a bore of diameter E; one of diameter 2D that is no "
-     "smaller cannot."},
+     "The tool goes down at the centre of a bore of diameter E; one of a larger diameter 2D "
+     "cannot."},
     {"GSK-G114-16",
      "Note 1 of G110 and G112, of the same chapter: all axes but the milling axis are positioned."},
     {"GSK-COM-01", "A code whose word is missing does not say what to do."},

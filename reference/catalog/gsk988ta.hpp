@@ -45,8 +45,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
     {"GSK-G94-08", must, kG94,
      "A word for an axis outside the plane in a block of the cycle is an alarm.",
      "reference/gsk988ta/g94.cpp"},
-    {"GSK-G94-09", derived, kG94,
-     "Where R and the travel from A to C on p have opposite signs, R may not be the larger.",
+    {"GSK-G94-09", open, kG94,
+     "Where R and the travel from A to C on p have opposite signs, R is not the larger; that "
+     "stands below the figures alone, so a larger one runs as it stands or is an alarm.",
      "reference/gsk988ta/g94.cpp"},
     {"GSK-G94-10", must, kG94,
      "Single block stops after the whole cycle: its motions are those of one block.",
@@ -171,8 +172,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-10", must, kG110, "Traverse d to the R plane, then the plane axes to the centre.",
      "reference/gsk988ta/g110.cpp"},
-    {"GSK-G110-11", derived, kG110,
-     "Traverse d to abs(P) above the last depth, never beyond the R plane; feed to the next depth.",
+    {"GSK-G110-11", open, kG110,
+     "Traverse d to abs(P) above the last depth, beyond the R plane where P is that large or no "
+     "farther than it; feed to the next depth.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-12", must, kG110, "Repeat to the bottom.", "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-13", open, kG110,
@@ -184,13 +186,16 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-15", derived, kG110, "G80 and every code of group 01 cancel the cycle.",
      "reference/gsk988ta/interpreter.cpp"},
-    {"GSK-G110-16", derived, kG110, "I, L and Q of a block that mills are above zero.",
+    {"GSK-G110-16", derived, kG110, "I and L of a block that mills are above zero.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-17", derived, kG110,
      "A pocket without depth is positioned over and left again; it needs no feed.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-18", open, kG110, "X and U are diameters as the depth words of G19 too.",
      "reference/gsk988ta/milling.cpp"},
+    {"GSK-G110-20", open, kG110,
+     "Q = 0 of a block that mills is one layer, or an alarm: the table of ranges begins at 0.",
+     "reference/gsk988ta/g110.cpp"},
 
     {"GSK-G112-01", must, kG112,
      "The words are those of G110; I and D must be given on entering the cycle and are "
@@ -212,7 +217,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/g112.cpp"},
     {"GSK-G112-06", must, kG112, "Feed along a semicircle of radius (I - D)/2 back to the centre.",
      "reference/gsk988ta/g112.cpp"},
-    {"GSK-G112-07", must, kG112, "Traverse d to the initial plane.", "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-07", open, kG112,
+     "Back to the initial plane along d; the text prints no speed: a traverse, or a feed.",
+     "reference/gsk988ta/g112.cpp"},
     {"GSK-G112-08", must, kG112, "F is the resultant speed along the helix.",
      "reference/gsk988ta/g112.cpp"},
     {"GSK-G112-09", derived, kG112,
@@ -242,7 +249,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "of lead I from the R plane to the bottom, a partial last turn allowed, the run-out, back to "
      "the R plane, away to the safe position.",
      "reference/gsk988ta/thread_path.cpp"},
-    {"GSK-G114-07", must, kG114, "Traverse d to the initial plane at the end.",
+    {"GSK-G114-07", open, kG114,
+     "Back to the initial plane along d at the end; the text prints no speed: a traverse, or a "
+     "feed.",
      "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-08", must, kG114, "F is the resultant speed along the helix.",
      "reference/gsk988ta/g114.cpp"},
@@ -274,7 +283,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "Inside the block of a thread every motion is one of its steps (GSK-CYC-01).",
      "reference/gsk988ta/g114.cpp", std::nullopt,
      "GSK-CYC-01 and the list of steps, which is complete."},
-    {"GSK-G114-15", derived, kG114, "An internal thread needs a tool radius smaller than E/2.",
+    {"GSK-G114-15", derived, kG114,
+     "An internal thread needs a tool radius that is not larger than E/2.",
      "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-16", derived, kG114,
      "Every other axis that is commanded but d is positioned with the centre.",
@@ -335,8 +345,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
     {"GSK-MOD-03", open, kG110, "R and P of G110 to G113 hold for their block.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-MOD-04", open, kG114,
-     "G114 and G115 are one mode, G116 and G117 one; they stay in force as G110, but no word of "
-     "them is retained: each block that mills gives I, P, D and E.",
+     "G114 and G115 are one mode, G116 and G117 one; they stay in force as G110. No text says "
+     "whether their words do: each block that mills gives I, P, D and E, or I P Q D E J K are "
+     "retained as in G110.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-05", derived, kG110,
      "The initial plane is the depth coordinate at which the mode was entered, and stays; a plane "

@@ -53,6 +53,10 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "A thread height P or a diameter E of zero is an alarm. No text says so, the table of ranges "
      "begins at 0; our judgement.",
      "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-18", open, kG114,
+     "An internal thread with a tool radius of just E/2 is an alarm. No text says so: such a tool "
+     "stands in the bore; our judgement.",
+     "reference/gsk988ta/g114.cpp"},
 });
 
 inline constexpr auto kHnc21t = std::to_array<Clause>({

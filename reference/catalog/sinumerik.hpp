@@ -55,8 +55,8 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "chord above twice the radius.",
      "reference/sinumerik/arc_forms.cpp"},
     {"SIE-ARC-05", must, kArcs,
-     "AR= is the angle of the arc, above 0 and below 360 degrees, with its centre or its end "
-     "point.",
+     "AR= is the angle of the arc, from 0 to below 360 degrees, with its centre or its end point; "
+     "whether 0 moves nothing or is an alarm is open.",
      "reference/sinumerik/arc_forms.cpp"},
     {"SIE-ARC-06", must, kArcs,
      "AP= RP= is an end point about the pole; the pole of an arc is its centre and RP its radius.",
@@ -91,7 +91,7 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "CIP is an arc in space through the point I1= J1= K1=, its sense the order of the points; "
      "G90, "
      "G91, AC and IC hold for it from the arc's start. A point between start and end on their line "
-     "makes a straight line, any other on it is an alarm.",
+     "makes a straight line, which an older control refuses; any other on it is an alarm.",
      "reference/sinumerik/cip.cpp"},
     {"SIE-CIP-02", derived, kArcs,
      "CIP needs an intermediate point other than its ends; its coordinates left out are the "
@@ -111,7 +111,8 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "reference/sinumerik/polar.cpp"},
     {"SIE-POL-02", derived, kPolar,
      "AP and RP hold until the pole or the plane changes. RP is not below zero, AP within 360 "
-     "degrees; AP is absolute, IC() adds to it. A code of a plane puts the pole at the zero.",
+     "degrees; AP is absolute, under G91 perhaps not, and IC() adds to it. A code of a plane puts "
+     "the pole at the zero.",
      "reference/sinumerik/polar.cpp"},
     {"SIE-MOD-01", must, kModes, "G0 G1 G2 G3 CIP and CT are one modal group.",
      "reference/sinumerik/codes.cpp"},

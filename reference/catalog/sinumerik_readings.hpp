@@ -22,6 +22,20 @@ inline constexpr auto kSinumerikPathReadings = of_dialect(
          .clause = "SIE-ARC-11"_clause,
          .text = "by how much a chord may exceed twice CR: not at all, or by CIRCLE_ERROR_CONST "
                  "(the arc is then half a turn about the chord's middle)"},
+        {.name = "sie.ar.zero",
+         .alternatives = {"none", "alarm"},
+         .clause = "SIE-ARC-05"_clause,
+         .text = "an arc of the angle AR=0 that leads nowhere: no motion, or an alarm"},
+        {.name = "sie.ap.g91",
+         .alternatives = {"absolute", "incremental"},
+         .clause = "SIE-POL-02"_clause,
+         .text = "AP under G91: counted from the first axis of the plane, or from the angle in "
+                 "force"},
+        {.name = "sie.cip.collinear",
+         .alternatives = {"straight", "alarm"},
+         .clause = "SIE-CIP-01"_clause,
+         .text = "CIP with its intermediate point on the straight line between start and end: that "
+                 "line, or an alarm"},
         {.name = "sie.spindle",
          .alternatives = {"off", "alarm"},
          .fallback = "off",

@@ -63,10 +63,12 @@ void name_corners(const BlockContext& block, const CuttingAxes& axes,
   block.out.name_axis(axes.positioning == plane.p ? 'p' : 'q', axes.positioning);
 }
 
-void check_taper(BlockContext& block, const Number& travel, ClauseId clause) {
+void check_taper(BlockContext& block, const Number& travel, ClauseId clause,
+                 std::optional<ReadingAlternative> refused_by) {
   const Number& taper = block.machine.cut.taper;
   if (decided(clause, "R * travel", taper.sign() * travel.sign()) >= 0) return;
   if (decided(clause, "abs(R) - abs(travel)", abs(taper), abs(travel)) <= 0) return;
+  if (refused_by && !block.readings.is(*refused_by)) return;
   block.alarm(AlarmClass::taper_limit, clause, 'R',
               with_values("The taper R of {} mm is larger than the opposite travel of {} mm.",
                           {taper, travel}));

@@ -27,6 +27,8 @@ Number cut_end_point(const BlockContext& block, Axis axis);
 void name_corners(const BlockContext& block, const CuttingAxes& axes,
                   const std::array<Number, 2>& c);
 // An alarm where R and the travel from A to C have opposite signs and R is the larger.
-void check_taper(BlockContext& block, const Number& travel, ClauseId clause);
+// `refused_by`: the alternative under which it is one, where the text leaves that open.
+void check_taper(BlockContext& block, const Number& travel, ClauseId clause,
+                 std::optional<ReadingAlternative> refused_by = std::nullopt);
 
 }  // namespace gonogo::reference::gsk988ta

@@ -15,8 +15,9 @@ namespace {
 struct Pocket {
   MillingSite site;
   PocketLevel level;  // of every layer; `depth` is filled in layer by layer
-  Number infeed;      // Q
+  Number infeed;      // Q; the whole depth where Q is 0
   Number clearance;   // abs(P)
+  bool stays_below_r_plane = true;
   bool ends_at_initial_plane = true;
   bool open_path = true;    // judged by what it clears
   bool concentric = false;  // of the two given paths
@@ -30,10 +31,11 @@ Number layer_depth(const Pocket& pocket, const Number& k) {
   return site.below_r_plane(min(k * pocket.infeed, site.depth()));
 }
 
-// GSK-G110-11: abs(P) above layer k, never beyond the R plane.
+// GSK-G110-11: abs(P) above layer k; beyond the R plane only under a reading.
 Number approach_depth(const Pocket& pocket, const Number& k) {
   const Number last = k * pocket.infeed;
-  return pocket.site.below_r_plane(last - min(pocket.clearance, last));
+  const bool ends_at_r_plane = pocket.stays_below_r_plane && pocket.clearance > last;
+  return pocket.site.below_r_plane(ends_at_r_plane ? 0 : last - pocket.clearance);
 }
 
 Generator<Item> mill(Pocket pocket) {
@@ -92,6 +94,13 @@ Number clearance_of(const BlockContext& block) {
   return clearance ? abs(*clearance) : block.readings.length("gsk.pocket.p-omitted"_key);
 }
 
+// GSK-G110-11: asked where P leads beyond the R plane, which is above the first layer if at all.
+bool stays_below_r_plane(const BlockContext& block, const Pocket& pocket) {
+  const bool is_asked =
+      pocket.site.depth() > pocket.infeed && pocket.clearance > pocket.infeed;
+  return !is_asked || block.readings.is("gsk.pocket.p-beyond=r-plane"_reading);
+}
+
 // GSK-G110-13; GSK-G110-17 for a pocket without depth.
 bool ends_at_initial_plane(const BlockContext& block, const MillingSite& site) {
   if (block.readings.is("gsk.pocket.end=initial"_reading)) return true;
@@ -114,6 +123,7 @@ Pocket make_pocket(BlockContext& block, MillingSite site) {
   level.feed = machine.feed;
   level.feed_mode = machine.feed_mode;
   pocket.infeed = mode.infeed.value_or(0);
+  if (pocket.infeed.sign() == 0) pocket.infeed = site.depth();  // GSK-G110-20
   pocket.clearance = clearance_of(block);
   // GSK-G110-09: the path is open unless a reading names one.
   const bool any = block.readings.is("gsk.pocket.path=any"_reading);
@@ -121,6 +131,7 @@ Pocket make_pocket(BlockContext& block, MillingSite site) {
   pocket.concentric = block.readings.is("gsk.pocket.path=concentric"_reading);
   pocket.ends_at_initial_plane = ends_at_initial_plane(block, site);
   pocket.site = std::move(site);
+  pocket.stays_below_r_plane = stays_below_r_plane(block, pocket);
   return pocket;
 }
 
@@ -132,7 +143,10 @@ void latch_g110(BlockContext& block, bool mills) {
   if (!is_entry(block) && !mills) return;
   const MillingMode& mode = block.machine.milling;
   const std::array<NeededWord, 4> needed = {
-      {{'I', mode.radius}, {'L', mode.step}, {'Q', mode.infeed}, {'D', mode.tool}}};
+      {{'I', mode.radius},
+       {'L', mode.step},
+       {'Q', mode.infeed, "GSK-G110-20"_clause, "gsk.pocket.q-zero=one-layer"_reading},
+       {'D', mode.tool}}};
   check_needed(block, needed, mills, "GSK-G110-02"_clause, "GSK-G110-16"_clause);
 }
 

@@ -26,7 +26,7 @@ Generator<Item> mill_along_helix(const MillingSite& site, const HelixPocket& poc
   co_yield site.arc_to("GSK-G112-06"_clause, centre, middle, pocket.sense);
 }
 
-Generator<Item> mill(MillingSite site, HelixPocket pocket, bool open_side) {
+Generator<Item> mill(MillingSite site, HelixPocket pocket, bool open_side, bool feeds_back) {
   co_yield site.rapid_to_centre("GSK-G112-03"_clause, site.positioned);
   co_yield site.rapid_depth("GSK-G112-03"_clause, site.r_plane);
   if (site.depth().sign() == 0) {
@@ -40,7 +40,7 @@ Generator<Item> mill(MillingSite site, HelixPocket pocket, bool open_side) {
     Generator<Item> path = mill_along_helix(site, pocket);
     while (const Item* item = path.next()) co_yield *item;
   }
-  co_yield site.rapid_depth("GSK-G112-07"_clause, site.initial_plane);
+  co_yield site.return_at(feeds_back, "GSK-G112-07"_clause);
 }
 
 // GSK-G112-01: L of the block, or the one that the mode retains; 1 without it.
@@ -100,7 +100,9 @@ void run_g112(BlockContext& block) {
   // The side of the entry is open unless a reading names one.
   const bool any = cuts && block.readings.is("gsk.helix.entry-side=any"_reading);
   HelixPocket pocket = cuts ? make_helix_pocket(block, site) : HelixPocket{};
-  block.out.cycle = mill(site, std::move(pocket), any && block.open_paths == OpenPaths::judged);
+  const bool feeds_back = cuts && block.readings.is("gsk.helix.return=feed"_reading);
+  block.out.cycle =
+      mill(site, std::move(pocket), any && block.open_paths == OpenPaths::judged, feeds_back);
 }
 
 }  // namespace gonogo::reference::gsk988ta

@@ -16,7 +16,7 @@
 namespace gonogo::reference::gsk988ta {
 namespace {
 
-Generator<Item> mill(MillingSite site, ThreadMilling thread, bool open) {
+Generator<Item> mill(MillingSite site, ThreadMilling thread, bool open, bool feeds_back) {
   const bool plane_alone = site.positioned == AxisSet{site.axes.p, site.axes.q};
   co_yield site.rapid_to_centre(plane_alone ? "GSK-G114-05"_clause : "GSK-G114-16"_clause,
                                 site.positioned);
@@ -32,22 +32,19 @@ Generator<Item> mill(MillingSite site, ThreadMilling thread, bool open) {
     Generator<Record> path = thread_passes(site, thread);
     while (const Record* record = path.next()) co_yield *record;
   }
-  co_yield site.rapid_depth("GSK-G114-07"_clause, site.initial_plane);
+  co_yield site.return_at(feeds_back, "GSK-G114-07"_clause);
 }
+
+constexpr std::array kThreadWords = {
+    &ThreadWords::lead,     &ThreadWords::height,         &ThreadWords::infeed,
+    &ThreadWords::tool,     &ThreadWords::diameter,       &ThreadWords::run_out_length,
+    &ThreadWords::run_out_angle};
 
 bool is_external(int code) {
   return code == 114 || code == 115;
 }
 
-// The words of one block: none of them is modal (GSK-MOD-04).
-struct ThreadWords {
-  std::optional<Number> lead;      // I
-  std::optional<Number> height;    // P
-  std::optional<Number> tool;      // D
-  std::optional<Number> diameter;  // E
-};
-
-// GSK-G114-03, GSK-G114-15
+// GSK-G114-03, GSK-G114-15, GSK-G114-18
 void check_tool(BlockContext& block, const ThreadWords& words) {
   if (words.height && words.tool &&
       decided("GSK-G114-03"_clause, "P - D", *words.height, *words.tool) > 0) {
@@ -57,28 +54,44 @@ void check_tool(BlockContext& block, const ThreadWords& words) {
                     {*words.height, *words.tool}));
   }
   if (is_external(block.machine.milling.code) || !words.tool || !words.diameter) return;
-  if (decided("GSK-G114-15"_clause, "E / 2 - D", *words.diameter / 2, *words.tool) <= 0) {
-    block.alarm(AlarmClass::tool_too_large, "GSK-G114-15"_clause, 'D',
+  const int room = decided("GSK-G114-15"_clause, "E / 2 - D", *words.diameter / 2, *words.tool);
+  if (room <= 0) {
+    block.alarm(AlarmClass::tool_too_large,
+                room < 0 ? "GSK-G114-15"_clause : "GSK-G114-18"_clause, 'D',
                 with_values("The tool's radius of {} mm is not smaller than the bore's of {} mm.",
                             {*words.tool, *words.diameter / 2}));
   }
 }
 
-ThreadWords take_words(BlockContext& block) {
-  const BlockWords& words = block.words;
-  ThreadWords taken{words.length('I'), words.length('P'), words.length('D'), words.length('E')};
-  const std::array<NeededWord, 4> needed = {{{'I', taken.lead},
-                                             {'P', taken.height, "GSK-G114-17"_clause},
-                                             {'D', taken.tool},
-                                             {'E', taken.diameter, "GSK-G114-17"_clause}}};
+// GSK-MOD-04: the words of the block, and under a reading those that the mode retains.
+ThreadWords words_in_force(const BlockContext& block, const ThreadWords& given,
+                           const ThreadWords& retained) {
+  ThreadWords words = given;
+  for (std::optional<Number> ThreadWords::*word : kThreadWords) {
+    if (given.*word || !(retained.*word)) continue;
+    if (block.readings.is("gsk.thread.modal=words"_reading)) words.*word = retained.*word;
+  }
+  return words;
+}
+
+ThreadWords words_of(const BlockWords& words) {
+  return {words.length('I'), words.length('P'), words.length('Q'),
+          words.length('D'), words.length('E'), words.length('J'),
+          words.has('K') ? std::optional(words.written('K')) : std::nullopt};
+}
+
+void check_words(BlockContext& block, const ThreadWords& words) {
+  const std::array<NeededWord, 4> needed = {{{'I', words.lead},
+                                             {'P', words.height, "GSK-G114-17"_clause},
+                                             {'D', words.tool},
+                                             {'E', words.diameter, "GSK-G114-17"_clause}}};
   check_needed(block, needed, true, "GSK-G114-02"_clause, "GSK-G114-02"_clause);
-  check_tool(block, taken);
+  check_tool(block, words);
   // GSK-G114-12: the format of G116 and G117 prints R without brackets.
-  if (!is_external(block.machine.milling.code) && !words.has('R') &&
+  if (!is_external(block.machine.milling.code) && !block.words.has('R') &&
       block.readings.is("gsk.thread.r=required"_reading)) {
     block.missing("GSK-G114-12"_clause, 'R');
   }
-  return taken;
 }
 
 ThreadRunOut run_out_of(const BlockContext& block) {
@@ -88,31 +101,26 @@ ThreadRunOut run_out_of(const BlockContext& block) {
   return readings.is("gsk.thread.runout=any"_reading) ? ThreadRunOut::open : ThreadRunOut::polar;
 }
 
-// J and K. K is not needed for J = 0, which is no run-out.
-struct RunOutWords {
-  std::optional<Number> length;
-  std::optional<Number> angle;
-  bool lacks_angle() const { return !angle && (!length || length->sign() != 0); }
-};
+// GSK-G114-02, GSK-G114-11: J and K default to the parameters, and these to nothing.
+void take_run_out(const Profile& profile, ThreadWords& words) {
+  if (!words.run_out_length) words.run_out_length = profile.parameter("5921");
+  if (!words.run_out_angle) words.run_out_angle = profile.parameter("5920");
+}
 
-// GSK-G114-02, GSK-G114-11: they default to the parameters, and these to nothing.
-RunOutWords take_run_out(const BlockContext& block) {
-  RunOutWords words{block.words.length('J'), std::nullopt};
-  if (!words.length) words.length = block.profile.parameter("5921");
-  words.angle = block.words.has('K') ? std::optional(block.words.written('K'))
-                                     : block.profile.parameter("5920");
-  return words;
+// K is not needed for J = 0, which is no run-out.
+bool lacks_angle(const ThreadWords& words) {
+  return !words.run_out_angle && (!words.run_out_length || words.run_out_length->sign() != 0);
 }
 
 // What the machine does then only its parameters say: no alarm of it, and nothing is assumed.
-bool lacks_parameter(BlockContext& block, const RunOutWords& words) {
+bool lacks_parameter(BlockContext& block, const ThreadWords& words) {
   std::vector<std::string_view> what;
   std::vector<std::string_view> line;
-  if (words.lacks_angle()) {
+  if (lacks_angle(words)) {
     what.emplace_back("5920 (for K, the angle of the run-out, degrees)");
     line.emplace_back(R"("5920" = "30")");
   }
-  if (!words.length) {
+  if (!words.run_out_length) {
     what.emplace_back("5921 (for J, the length of the run-out, mm)");
     line.emplace_back(R"("5921" = "2")");
   }
@@ -124,8 +132,7 @@ bool lacks_parameter(BlockContext& block, const RunOutWords& words) {
   return true;
 }
 
-ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const ThreadWords& words,
-                          const RunOutWords& run_out) {
+ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const ThreadWords& words) {
   const int code = block.machine.milling.code;
   ThreadMilling thread;
   thread.block = block.line;
@@ -144,10 +151,10 @@ ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const Th
   thread.start_radius =
       thread.external ? *words.diameter / 2 + *words.tool : *words.diameter / 2 - *words.tool;
   // GSK-G114-04; GSK-G114-12: Q = 0 counts as omitted.
-  const Number infeed = block.words.length('Q').value_or(0);
+  const Number infeed = words.infeed.value_or(0);
   thread.infeed = infeed.sign() > 0 ? min(infeed, thread.height) : thread.height;
-  thread.runout_length = *run_out.length;
-  thread.runout_angle = run_out.angle.value_or(0);
+  thread.runout_length = *words.run_out_length;
+  thread.runout_angle = words.run_out_angle.value_or(0);
   thread.arc_path = !block.readings.is("gsk.thread.path=any"_reading);
   thread.runout = run_out_of(block);
   thread.feed = site.feed;  // GSK-G114-08: along the helix
@@ -167,12 +174,23 @@ bool has_too_many_turns(BlockContext& block, const ThreadMilling& thread) {
 
 }  // namespace
 
+void latch_g114(BlockContext& block) {
+  const ThreadWords given = words_of(block.words);
+  ThreadWords& retained = block.machine.milling.thread;
+  for (std::optional<Number> ThreadWords::*word : kThreadWords) {
+    if (given.*word) retained.*word = given.*word;
+  }
+}
+
 void run_g114(BlockContext& block) {
+  const ThreadWords retained = block.machine.milling.thread;
+  latch_g114(block);
   if (!names_site(block)) {
     position_only(block);  // GSK-G110-14
     return;
   }
-  const ThreadWords words = take_words(block);
+  ThreadWords words = words_in_force(block, words_of(block.words), retained);
+  check_words(block, words);
   const bool from_initial = block.readings.is("gsk.thread.v-from=initial"_reading);
   const MillingSite site =
       place_site(block, block.words.length('R').value_or(0), from_initial);  // GSK-G114-01
@@ -188,9 +206,9 @@ void run_g114(BlockContext& block) {
   ThreadMilling thread;
   bool open = false;
   if (site.depth().sign() != 0) {
-    const RunOutWords run_out = take_run_out(block);
-    if (lacks_parameter(block, run_out)) return;
-    thread = make_thread(block, site, words, run_out);
+    take_run_out(block.profile, words);
+    if (lacks_parameter(block, words)) return;
+    thread = make_thread(block, site, words);
     if (has_too_many_turns(block, thread)) return;
     // GSK-G114-06, GSK-G114-11: the path is open unless readings name all of it; its steps are not
     // (GSK-G114-14, GSK-CYC-01).
@@ -202,7 +220,10 @@ void run_g114(BlockContext& block) {
     position[site.axes.q] = end[1];
   }
   position[site.axes.d] = site.initial_plane;
-  block.out.cycle = mill(site, std::move(thread), open);
+  // GSK-G114-07: asked where the planes are not one.
+  const bool feeds_back = site.depth().sign() != 0 && site.r_plane != site.initial_plane &&
+                          block.readings.is("gsk.thread.return=feed"_reading);
+  block.out.cycle = mill(site, std::move(thread), open, feeds_back);
 }
 
 }  // namespace gonogo::reference::gsk988ta

@@ -17,7 +17,8 @@ void run_g94(BlockContext& block) {
   const Position a = block.machine.position;
   const Number c_p = cut_end_point(block, plane.p);  // GSK-G94-12: no travel without a word
   const Number c_q = cut_end_point(block, plane.q);
-  check_taper(block, c_p - a[plane.p], "GSK-G94-09"_clause);
+  // GSK-G94-09: the limit stands below figures alone.
+  check_taper(block, c_p - a[plane.p], "GSK-G94-09"_clause, "gsk.g94.taper-limit=alarm"_reading);
   block.need_feed();
   const Number& taper = block.machine.cut.taper;  // GSK-G94-11: a true length, like the travel
 

@@ -184,6 +184,7 @@ void Interpreter::latch_entry_words(BlockContext& block) const {
   if (!is_entry(block)) return;
   if (machine_.milling.family() == CycleFamily::pocket) latch_g110(block, false);
   if (machine_.milling.family() == CycleFamily::helix) latch_g112(block, false);
+  if (machine_.milling.family() == CycleFamily::thread) latch_g114(block);
 }
 
 void Interpreter::run_code(BlockContext& block) {

@@ -34,6 +34,17 @@ constexpr int sense_of(int cycle_code) {
   return cycle_code % 2 == 0 ? -1 : +1;
 }
 
+// The words of a thread, of one block or retained under a reading of GSK-MOD-04. Lengths in mm.
+struct ThreadWords {
+  std::optional<Number> lead;            // I
+  std::optional<Number> height;          // P
+  std::optional<Number> infeed;          // Q
+  std::optional<Number> tool;            // D
+  std::optional<Number> diameter;        // E
+  std::optional<Number> run_out_length;  // J
+  std::optional<Number> run_out_angle;   // K, degrees
+};
+
 // What the milling cycle in force retains (GSK-G110-02, GSK-G112-01). True lengths in mm.
 struct MillingMode {
   int code = 0;  // 110 to 117 while the mode is in force
@@ -46,6 +57,7 @@ struct MillingMode {
   // R and P under the reading gsk.pocket.R = modal.
   std::optional<Number> retained_r;
   std::optional<Number> retained_clearance;
+  ThreadWords thread;  // the last of each in the mode
 
   CycleFamily family() const { return family_of(code); }
 };
@@ -96,6 +108,8 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to);
 // block says where, so they must be above zero too.
 void latch_g110(BlockContext& block, bool mills);
 void latch_g112(BlockContext& block, bool mills);
+// The same of G114, of whose words none need be in force.
+void latch_g114(BlockContext& block);
 
 // The cycles, one file each.
 void run_g90(BlockContext& block);

@@ -20,6 +20,12 @@ AxisSet positioned_axes(const BlockContext& block, const PlaneAxes& axes, Positi
   return positioned;
 }
 
+// Zero counts as above zero where a reading lets it run.
+bool is_above_zero(const BlockContext& block, const NeededWord& word, ClauseId clause) {
+  const int sign = decided(clause, {&word.address, 1}, *word.value);
+  return sign > 0 || (sign == 0 && word.zero_runs && block.readings.is(*word.zero_runs));
+}
+
 }  // namespace
 
 Record MillingSite::motion(RecordKind kind, ClauseId clause) const {
@@ -47,6 +53,10 @@ Record MillingSite::feed_depth(ClauseId clause, const Number& depth) const {
   record.axes = {axes.d};
   record.to[axes.d] = depth;
   return record;
+}
+
+Record MillingSite::return_at(bool at_feed, ClauseId clause) const {
+  return at_feed ? feed_depth(clause, initial_plane) : rapid_depth(clause, initial_plane);
 }
 
 Record MillingSite::rapid_to_centre(ClauseId clause, AxisSet which) const {
@@ -162,7 +172,7 @@ void check_needed(BlockContext& block, std::span<const NeededWord> words, bool m
     const bool is_bare_tool =
         word.address == 'D' && block.machine.milling.family() != CycleFamily::thread;
     const ClauseId clause = is_bare_tool ? "GSK-G110-19"_clause : word.positive.value_or(positive);
-    if (mills && decided(clause, {&word.address, 1}, *word.value) <= 0) {
+    if (mills && !is_above_zero(block, word, clause)) {
       const bool here = block.words.has(word.address);
       block.alarm(AlarmClass::value_out_of_range, clause, word.address,
                   with_values(fmt::format("{}{} is {{}} and not above zero.",

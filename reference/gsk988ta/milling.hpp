@@ -33,6 +33,8 @@ struct MillingSite {
 
   Record motion(RecordKind kind, ClauseId clause) const;
   Record rapid_depth(ClauseId clause, const Number& depth) const;
+  // Back to the initial plane, where no text prints the speed: at feed, or a traverse.
+  Record return_at(bool at_feed, ClauseId clause) const;
   Record feed_depth(ClauseId clause, const Number& depth) const;
   Record rapid_to_centre(ClauseId clause, AxisSet which) const;
   // A motion in the plane to a point of it.
@@ -64,6 +66,7 @@ struct NeededWord {
   char address;
   const std::optional<Number>& value;
   std::optional<ClauseId> positive = std::nullopt;  // of its own, that it is above zero
+  std::optional<ReadingAlternative> zero_runs = std::nullopt;  // under which zero is no alarm
 };
 // Missing words; in a block that mills also those that are not above zero.
 void check_needed(BlockContext& block, std::span<const NeededWord> words, bool mills,

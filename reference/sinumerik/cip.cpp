@@ -70,13 +70,16 @@ void run_intermediate(BlockContext& block) {
     return;
   }
   // SIE-CIP-01: on one line the intermediate point is between the others, or it is none.
-  if (CGAL::collinear_are_strictly_ordered_along_line(Point_3(ORIGIN), middle, last)) {
+  const bool is_between =
+      CGAL::collinear_are_strictly_ordered_along_line(Point_3(ORIGIN), middle, last);
+  if (is_between && block.readings.is("sie.cip.collinear=straight"_reading)) {
     put_line(block, RecordKind::feed, "SIE-CIP-01"_clause, *end);
     return;
   }
   const char* word = "I1";
   if (!block.words.has(Address::i1)) word = block.words.has(Address::j1) ? "J1" : "K1";
-  block.alarm(AlarmClass::arc_intermediate_point, kPoints, WordName(word),
+  block.alarm(AlarmClass::arc_intermediate_point, is_between ? "SIE-CIP-01"_clause : kPoints,
+              WordName(word),
               "Start, intermediate point and end are no three points of a circle.");
 }
 

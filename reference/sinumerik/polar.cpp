@@ -44,7 +44,17 @@ bool check_ranges(BlockContext& block) {
   return kept;
 }
 
-// SIE-POL-02: AP and RP hold on; AP=IC() adds to the angle in force.
+// SIE-POL-02: AP=IC() adds to the angle in force; AP under G91 only under a reading. Nothing is
+// asked where the first of a pole is its own angle.
+bool adds_to_angle(const BlockContext& block) {
+  const Dimension dimension = block.words.dimension(Address::ap);
+  if (dimension != Dimension::as_in_force) return dimension == Dimension::incremental;
+  return block.machine.modes.incremental && block.machine.polar_angle &&
+         block.machine.polar_angle->sign() != 0 &&
+         block.readings.is("sie.ap.g91=incremental"_reading);
+}
+
+// SIE-POL-02: AP and RP hold on.
 std::optional<PolarPoint> polar_point(BlockContext& block) {
   const BlockWords& words = block.words;
   Machine& machine = block.machine;
@@ -52,7 +62,7 @@ std::optional<PolarPoint> polar_point(BlockContext& block) {
   if (words.has(Address::rp)) machine.polar_radius = words.length(Address::rp);
   if (words.has(Address::ap)) {
     const Number& angle = words.written(Address::ap);
-    if (words.dimension(Address::ap) != Dimension::incremental) {
+    if (!adds_to_angle(block)) {
       machine.polar_angle = angle;
     } else if (machine.polar_angle) {
       machine.polar_angle = *machine.polar_angle + angle;

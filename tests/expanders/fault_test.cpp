@@ -100,7 +100,7 @@ const ProfiledFaultExample kGskFaultExamples[] = {
     {"angle-parameter-ignored", kNoRunOut, kParameters},
     {"thread-depth-from-initial", kThread},
     {"thread-height-equality-refused", "G114 X0 Z0 V-5 I5 E30 P3 D3 F9\n"},
-    {"bore-equality-accepted", "G116 X0 Z0 V-5 I5 E6 P1 D3 F9\n"},
+    {"bore-unchecked", "G116 X0 Z0 V-5 I5 E5 P1 D3 F9\n"},
     {"thread-mode-lost", "G114\nX1 Y2 Z3 I5 E30 P1 D3 F9\n"},
     {"late-alarm", "G110 X1 Z0 Y-9 I3 L3 Q5 D4 F8\n"},
     {"alarm-next-block", "G999\n"},

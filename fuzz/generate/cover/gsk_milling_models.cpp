@@ -43,6 +43,7 @@ void draw_mill(const Pick& pick, Drawing& drawing, const std::vector<std::string
 }
 
 void draw_gsk_pocket(const Pick& pick, Drawing& drawing) {
+  if (pick.is("Q", "zero")) drawing.profile.readings.set("gsk.pocket.q-zero=alarm"_reading);
   draw_mill(pick, drawing,
             {drawing.word("I", "I"), drawing.word("L", "L"), drawing.word("Q", "Q"),
              drawing.word("D", "D"), drawing.word("P", "P")});
@@ -141,7 +142,7 @@ site: whole no-d
 I: typical=2 whole=3 large=20 !none@missing-word !zero=0@value-out-of-range
 P: typical=1 at=5 !above=5+e@depth-exceeds-tool !none@missing-word !?zero=0@value-out-of-range
 Q: none zero=0 typical=0.4 more=6
-D: typical=5 fit=15-e !equal=15@tool-too-large !none@missing-word
+D: typical=5 fit=15-e !?equal=15@tool-too-large !none@missing-word
 E: typical=30 !none@missing-word !?zero=0@value-out-of-range
 J: none zero=0 typical=2
 K: none zero=0 typical=45 at=360 !above=360.001@value-out-of-range !minus=-1@value-out-of-range
