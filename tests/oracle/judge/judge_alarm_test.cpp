@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The alarm judge: R 20 against a travel of Z-15 breaks GSK-G94-09 in line 2.
+// The alarm judge: R 20 against a travel of 5 along X breaks GSK-G90-09 in line 2.
 #include <gtest/gtest.h>
 
 #include "judging.hpp"
@@ -8,7 +8,7 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::string_view kTaperTooLong = "G00 X130 Z5\nG94 X120 Z-10 R20 F300\nG00 X200\n";
+constexpr std::string_view kTaperTooLong = "G00 X130 Z5\nG90 X120 Z-10 R20 F300\nG00 X200\n";
 const std::string kMotion = R"({"k":"rapid","b":2,"to":{"z":"10"}})"
                             "\n";
 
@@ -89,7 +89,7 @@ TEST(AlarmJudge, AnAlarmOfSeveralClassesIsRightWhereOneIs) {
 
 // The block that alarms has an M function of its own, of which no text says whether it is passed
 // on.
-constexpr std::string_view kProgramWithM = "M3 S500\nG00 X130 Z5 M8\nG94 X120 Z-10 R20 F300 M9\n";
+constexpr std::string_view kProgramWithM = "M3 S500\nG00 X130 Z5 M8\nG90 X120 Z-10 R20 F300 M9\n";
 const std::string kRapidInLine2 = R"({"k":"rapid","b":2,"to":{"x":"65","z":"5"}})"
                                   "\n";
 
@@ -163,7 +163,7 @@ TEST(AlarmJudge, AnAlarmBeforeWhatIsDueIsDecidedWhateverStandsBehind) {
 }
 
 TEST(AlarmJudge, AnEarlyAlarmIsToldWithThatOfTheProgram) {
-  const Verdict said = judge_trace("G00 X130 Z5\nG00 X120\nG94 X110 Z-10 R40 F300\n",
+  const Verdict said = judge_trace("G00 X130 Z5\nG00 X120\nG90 X110 Z-10 R40 F300\n",
                                    kRapidToStart + alarm(2, "taper-limit"));
   EXPECT_EQ(said.kind, VerdictKind::fail_alarm_spurious);
   EXPECT_EQ(said.message, "The alarm comes in a block before the right one.");

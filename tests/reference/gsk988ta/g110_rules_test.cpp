@@ -128,10 +128,29 @@ TEST(G110Rules, Clause14TheAxisWordsAreNotRetained) {
 TEST(G110Rules, Clause16ILQDAreAboveZero) {
   EXPECT_EQ(pocket("Y20 I16 L0 Q5 D4"), "alarm b2 value-out-of-range");
   EXPECT_EQ(pocket("Y20 I16 L0.001 Q5 D4"), kDone);
-  EXPECT_EQ(pocket("Y20 I16 L3 Q0 D4"), "alarm b2 value-out-of-range");
+  EXPECT_EQ(pocket("Y20 I16 L3 Q0 D4", profile_with({{"gsk.pocket.q-zero", "alarm"}})),
+            "alarm b2 value-out-of-range");
   // Y49.999: one layer of one increment.
   EXPECT_EQ(pocket("Y49.999 I16 L3 Q0.001 D4"), kDone);
   EXPECT_EQ(pocket("Y20 I0.002 L0.001 Q5 D0.001"), kDone);
+}
+
+TEST(G110Rules, Clause20AnInfeedOfZeroIsOneLayerUnderItsReading) {
+  const Lines got = lines("G110 X50 Z50 Y-5 R-2 I16 L3 Q0 P1 D4 F800",
+                          profile_with({{"gsk.pocket.q-zero", "one-layer"}}), OpenPaths::judged);
+  EXPECT_EQ(got, (Lines{"rapid x25 z50", "rapid y-2", "feed y-5 f800",
+                        "level d-5 c50,25 R16 r4 L3 -1 f800", "rapid y-2", "rapid x25 z50",
+                        "rapid y0"}));
+}
+
+// The layers end 5 and 7.5 below the R plane at -2: P8 is 3 beyond it.
+TEST(G110Rules, Clause11PLeadsBeyondTheRPlaneUnderItsReading) {
+  const std::string block = "G110 X50 Z50 Y-9.5 R-2 I16 L3 Q5 P8 D4 F800";
+  const auto before_second = [&](const char* value) {
+    return lines(block, profile_with({{"gsk.pocket.p-beyond", value}}), OpenPaths::judged).at(6);
+  };
+  EXPECT_EQ(before_second("r-plane"), "rapid y-2");
+  EXPECT_EQ(before_second("literal"), "rapid y1");
 }
 
 TEST(G110Rules, Clause16ADOfZeroHasTwoAlarms) {

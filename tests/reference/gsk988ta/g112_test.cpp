@@ -83,6 +83,13 @@ TEST(G112, AddsAFlatTurnUnderItsReading) {
   EXPECT_EQ(got.at(5), "arc x70 z70 c72,70 rot-1 f200");
 }
 
+TEST(G112, FeedsBackUnderItsReading) {
+  const std::string block = "G112 X140 Z70 Y20 R-2 I8 L2 D4 F200";
+  EXPECT_EQ(after_start(block, profile_with({{"gsk.helix.return", "rapid"}})).back(), "rapid y30");
+  EXPECT_EQ(after_start(block, profile_with({{"gsk.helix.return", "feed"}})).back(),
+            "feed y30 f200");
+}
+
 TEST(G112, LeavesTheSideOfItsEntryToTheJudge) {
   EXPECT_EQ(
       after_start("G113 X140 Z70 Y20 R-2 I8 L5 D4 F200", {}, OpenPaths::judged),

@@ -328,6 +328,31 @@ TEST(G114, StaysInForceButRetainsNoWord) {
             "alarm b3 missing-word missing-word missing-word missing-word");
 }
 
+// MOD-04, as in G110: the words stay, R and the positions do not.
+TEST(G114, RetainsItsWordsUnderItsReading) {
+  const Profile words = profile_with({{"gsk.thread.modal", "words"}});
+  const std::string whole = thread("G114", "I5 Q0.4");
+  const Lines once = lines(whole, words);
+  Lines twice = lines(whole + "\nX0 Z0 Y0", words);
+  ASSERT_EQ(twice.size(), once.size() * 2 - 1);  // without the G00 at the beginning
+  EXPECT_EQ(Lines(twice.begin() + static_cast<std::ptrdiff_t>(once.size()), twice.end()),
+            Lines(once.begin() + 1, once.end()));
+  // Another mode, and G80, begin without them.
+  const std::string missing = "alarm b3 missing-word missing-word missing-word missing-word";
+  EXPECT_EQ(ending(whole + "\nG116 X0 Z0 Y0", words), missing);
+  EXPECT_EQ(ending(whole + " M8\nG80\nG114 X0 Z0 Y0", words),
+            "alarm b4 missing-word missing-word missing-word missing-word");
+}
+
+TEST(G114, FeedsBackUnderItsReading) {
+  const std::string block = thread("G114", "I5 R-1");
+  EXPECT_EQ(lines(block, profile_with({{"gsk.thread.return", "rapid"}})).back(), "rapid y10");
+  EXPECT_EQ(lines(block, profile_with({{"gsk.thread.return", "feed"}})).back(), "feed y10 f100");
+  // Where R is the initial plane there is no way back.
+  EXPECT_EQ(lines(thread("G114", "I5"), profile_with({{"gsk.thread.return", "feed"}})).back(),
+            "rapid y10");
+}
+
 TEST(G114, HoldsForItsBlockUnderItsReading) {
   const Profile none = profile_with({{"gsk.thread.modal", "none"}});
   EXPECT_EQ(lines(thread("G114", "I5") + "\nX10 Z5 Y3", none).back(), "rapid x5 y3 z5");

@@ -180,9 +180,14 @@ TEST(G94, Clause08HoldsInARepeatedBlockAndForAnIncrementOfZero) {
   EXPECT_EQ(ending(kFromA + "G94 X100 Z-30 F100\nV0"), "alarm b3 axis-not-in-plane");
 }
 
+// A control that looks at the limit of GSK-G94-09.
+Profile limited() {
+  return profile_with({{"gsk.g94.taper-limit", "alarm"}});
+}
+
 // Travel of Z from A to C: -30.
 std::string taper(const std::string& r) {
-  return ending(kFromA + "G94 X100 Z-30 R" + r + " F100");
+  return ending(kFromA + "G94 X100 Z-30 R" + r + " F100", limited());
 }
 constexpr std::string_view kBackAtA = "end x60 y0 z0 a0 c0";
 
@@ -192,9 +197,16 @@ TEST(G94, Clause09AnOppositeRMayBeAsLargeAsTheTravel) {
   EXPECT_EQ(taper("30.001"), "alarm b2 taper-limit");
 }
 
+TEST(G94, Clause09ALargerROnlyRunsAsItStandsUnderItsReading) {
+  const Profile run = profile_with({{"gsk.g94.taper-limit", "run"}});
+  // A(60, 0), C(50, -30): B lies 40 beyond C, which is 10 on the other side of A.
+  const Lines want = {kAtA, "rapid z10", "feed x50 z-30 f100", "feed z0 f100", "rapid x60"};
+  EXPECT_EQ(lines(kFromA + "G94 X100 Z-30 R40 F100", run), want);
+}
+
 TEST(G94, Clause09HoldsForATravelUpwardsToo) {
   EXPECT_EQ(ending(kFromA + "G94 X100 Z30 R-30 F100"), kBackAtA);
-  EXPECT_EQ(ending(kFromA + "G94 X100 Z30 R-30.001 F100"), "alarm b2 taper-limit");
+  EXPECT_EQ(ending(kFromA + "G94 X100 Z30 R-30.001 F100", limited()), "alarm b2 taper-limit");
 }
 
 TEST(G94, Clause09ThereIsNoLimitWhereTheSignsAgree) {
@@ -211,7 +223,7 @@ TEST(G94, Clause09ThereIsNoLimitWithoutTravel) {
 TEST(G94, Clause09IsSeenWithARetainedR) {
   // R25 is kept; the travel shrinks from -30 to -25 and then to -24.999.
   EXPECT_EQ(ending(kFromA + "G94 X100 Z-30 R25 F100\nZ-25"), kBackAtA);
-  EXPECT_EQ(ending(kFromA + "G94 X100 Z-30 R25 F100\nZ-24.999"), "alarm b3 taper-limit");
+  EXPECT_EQ(ending(kFromA + "G94 X100 Z-30 R25 F100\nZ-24.999", limited()), "alarm b3 taper-limit");
 }
 
 TEST(G94, Clause10EachMotionBelongsToTheBlockOfTheCycle) {
@@ -233,12 +245,12 @@ TEST(G94, Clause11InG17RIsATrueLengthOnADiameter) {
 TEST(G94, Clause11InG17TheTravelIsHalfTheDifferenceOfDiameters) {
   // From X120 to X60: 30 true, not 60.
   EXPECT_EQ(ending("G17 G0 X120 Y0\nG94 X60 Y-5 R30 F100"), "end x60 y0 z0 a0 c0");
-  EXPECT_EQ(ending("G17 G0 X120 Y0\nG94 X60 Y-5 R30.001 F100"), "alarm b2 taper-limit");
-  EXPECT_EQ(ending("G17 G0 X120 Y0\nG94 U-60 Y-5 R30.001 F100"), "alarm b2 taper-limit");
+  EXPECT_EQ(ending("G17 G0 X120 Y0\nG94 X60 Y-5 R30.001 F100", limited()), "alarm b2 taper-limit");
+  EXPECT_EQ(ending("G17 G0 X120 Y0\nG94 U-60 Y-5 R30.001 F100", limited()), "alarm b2 taper-limit");
 }
 
 TEST(G94, Clause11InRadiusProgrammingTheTravelIsNotHalved) {
-  Profile profile;
+  Profile profile = limited();
   profile.x_diameter = false;
   EXPECT_EQ(ending("G17 G0 X120 Y0\nG94 X60 Y-5 R60 F100", profile), "end x120 y0 z0 a0 c0");
   EXPECT_EQ(ending("G17 G0 X120 Y0\nG94 X60 Y-5 R60.001 F100", profile), "alarm b2 taper-limit");
@@ -308,7 +320,7 @@ TEST(G94, InInchesRIsInInches) {
 
 TEST(G94, BrokenRulesOfOneBlockAreAllReported) {
   // Y outside the plane, R 31 against -30, no feed: in the order of their words.
-  EXPECT_EQ(ending(kFromA + "G94 Y1 R31 X100 Z-30"),
+  EXPECT_EQ(ending(kFromA + "G94 Y1 R31 X100 Z-30", limited()),
             "alarm b2 axis-not-in-plane taper-limit feed-missing");
 }
 

@@ -71,7 +71,14 @@ TEST(SieArcForms, AnAngleIsAboveZeroAndBelowATurn) {
   EXPECT_EQ(outcome("G2 I5 AR=0.001"), "end");
   EXPECT_EQ(outcome("G2 I5 AR=359.999"), "end");
   EXPECT_EQ(outcome("G2 X10 AR=359.999"), "end");
-  EXPECT_EQ(outcome("G2 I5 AR=0"), "value-out-of-range AR");
+  const Profile refuses = sie({{"sie.ar.zero", "alarm"}});
+  EXPECT_EQ(outcome("G2 I5 AR=0", refuses), "value-out-of-range AR");
+  EXPECT_EQ(outcome("G2 X0 AR=0", refuses), "value-out-of-range AR");
+  const Profile stays = sie({{"sie.ar.zero", "none"}});
+  EXPECT_EQ(path("G2 I5 AR=0 F9\nG1 X3", stays), Lines{"feed x3 f9"});
+  EXPECT_EQ(path("G2 X0 AR=0 F9\nG1 X3", stays), Lines{"feed x3 f9"});
+  EXPECT_EQ(outcome("G2 X0.001 AR=0", stays), "value-out-of-range AR");
+  EXPECT_EQ(outcome("G2 I5 Z1 AR=0", stays), "value-out-of-range AR");
   EXPECT_EQ(outcome("G2 X10 AR=360"), "value-out-of-range AR");
   EXPECT_EQ(outcome("G2 I5 AR=-1"), "value-out-of-range AR");
 }

@@ -32,6 +32,13 @@ TEST(SieCip, APointBetweenOnTheLineMakesItStraight) {
   EXPECT_EQ(line("CIP X3 I1=0.001 F9", 0), "feed x3 y0 z0 f9");
 }
 
+TEST(SieCip, AStraightOneIsAnAlarmUnderItsReading) {
+  const Profile refuses = sie({{"sie.cip.collinear", "alarm"}});
+  EXPECT_EQ(outcome("CIP X10 Z10 I1=5 K1=5", refuses), "arc-intermediate-point I1");
+  EXPECT_EQ(clauses("F9\nCIP X10 I1=5", refuses), Lines{"SIE-CIP-01"});
+  EXPECT_EQ(outcome("CIP X10 Z10 I1=5 K1=5 J1=0.001", refuses), "end");
+}
+
 // No turns leave CIP as it is.
 TEST(SieCip, NoTurnsMayBeAdded) {
   EXPECT_EQ(line("CIP X10 Z10 I1=5 K1=5 TURN=0 F9", 0), "feed x10 y0 z10 f9");

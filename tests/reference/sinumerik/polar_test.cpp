@@ -41,6 +41,16 @@ TEST(SiePolar, ThePoleIsAsItsCodeSaysWhateverTheMode) {
   EXPECT_EQ(line("G70\nG111 X1\nG71 G0 RP=1 AP=0", 0), "rapid x26.4 y0");
 }
 
+TEST(SiePolar, UnderG91AnAngleAddsUnderItsReading) {
+  const std::string program = "G0 RP=10 AP=90\nG91 AP=90";
+  EXPECT_EQ(path(program), (Lines{"rapid x0 y10", "rapid x0 y10"}));
+  const Profile adds = sie({{"sie.ap.g91", "incremental"}});
+  EXPECT_EQ(path(program, adds), (Lines{"rapid x0 y10", "rapid x-10 y0"}));
+  // The first angle about a pole is its own, and AC is absolute.
+  EXPECT_EQ(path("G91 G0 RP=10 AP=90", adds), Lines{"rapid x0 y10"});
+  EXPECT_EQ(line("G0 RP=10 AP=90\nG91 AP=AC(180)", 1, adds), "rapid x-10 y0");
+}
+
 TEST(SiePolar, APoleStandsAlone) {
   EXPECT_EQ(outcome("G111 X1 Z2"), "conflicting-words Z");
   EXPECT_EQ(outcome("G1 G111 X1"), "conflicting-words G");
