@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "oracle/open/open_step.hpp"
-#include "oracle/steps/reference_steps.hpp"
 #include "oracle/records/rounding_census.hpp"
 #include "oracle/region/constants.hpp"
+#include "oracle/steps/reference_steps.hpp"
 
 namespace gonogo::oracle {
 
@@ -147,6 +147,7 @@ class Alignment {
   void refute_m_function(Hypothesis from, const Record& record, std::size_t number);
   bool is_told(const DueMFunction& due, const Record& record) const;
   bool is_within(const Hypothesis& from, const DueMFunction& due);
+  bool comes_beside(const Hypothesis& from, const Record& record);
   bool may_come_early(const Hypothesis& from, const Record& record);
   bool may_be_of_alarm(const Hypothesis& from, const Record& record);
   bool is_due_later(const Hypothesis& from, const Record& record);

@@ -30,9 +30,9 @@ bool Alignment::is_told(const DueMFunction& due, const Record& record) const {
   return due.record.m == record.m && (!terms_.compare_blocks || due.record.block == record.block);
 }
 
-// R5. Those of both sides are partners in their order, so that the subject's next one is the
-// reference's next whichever way its motions are read; what depends on that is whether it may come
-// where the subject stands.
+// R5. Those of both sides are partners in their order, but for those of one block, which have none
+// among themselves: the subject's next one is the reference's next whichever way its motions are
+// read; what depends on that is whether it may come where the subject stands.
 Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_t number) {
   if (!settle()) return MFunction::departs;
   farthest_.reset();
@@ -59,7 +59,10 @@ Alignment::MFunction Alignment::meet_m_function(Hypothesis& from, const Record& 
     const ReferenceSteps::Step& step = steps_.at(from.step + from.joined);
     const auto waiting = steps_.waiting(step.m_functions);
     if (!waiting.empty()) {
-      if (!is_told(waiting.front(), record)) break;
+      if (!is_told(waiting.front(), record)) {
+        if (comes_beside(from, record)) return MFunction::taken;
+        break;
+      }
       if (!is_within(from, waiting.front())) return MFunction::taken;
     } else if (std::holds_alternative<AlarmReport>(step.what)) {
       return MFunction::of_alarm;
@@ -176,6 +179,26 @@ bool Alignment::is_within(const Hypothesis& from, const DueMFunction& due) {
     const ReferenceSteps::Step& step = steps_.at(number);
     if (step.block != block || is_end(step.what)) return false;
     if (cuts(step.what)) return true;
+  }
+}
+
+// Whether it is another one of the block of the one that is due, and may come here as well; it is
+// then the one that is due.
+bool Alignment::comes_beside(const Hypothesis& from, const Record& record) {
+  std::optional<std::uint64_t> block;
+  for (std::size_t number = from.step + from.joined;; ++number) {
+    const ReferenceSteps::Step& step = steps_.at(number);
+    const auto waiting = steps_.waiting(step.m_functions);
+    for (std::size_t place = 0; place < waiting.size(); ++place) {
+      const DueMFunction& due = waiting[place];
+      if (due.is_fixed || due.record.block != block.value_or(due.record.block)) return false;
+      block = due.record.block;
+      if (!is_told(due, record)) continue;
+      if (is_within(from, due)) return false;
+      steps_.bring_forward(place);
+      return true;
+    }
+    if (step.block != block || is_end(step.what) || cuts(step.what)) return false;
   }
 }
 

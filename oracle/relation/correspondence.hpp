@@ -75,7 +75,9 @@ class Correspondence {
   void pass_over_reference(const Place& place, Intervals of_got);
   void traverse(const Place& place, const Interval& entry);
   bool is_partner(const Event& want, const Event& got) const;
-  bool takes_m(const Place& place, bool is_within);
+  std::optional<std::size_t> fitting_m(const Place& place, bool is_within);
+  std::optional<Place> behind_m(const Place& place, bool is_within);
+  std::shared_ptr<ReferenceSide> another_reference(const Place& place, Settled settled);
   void match_stop(const Place& place);
   void rename(const Place& place);
   void take_free_step(const Place& place);

@@ -168,6 +168,23 @@ bool ReferenceSide::may_stand(std::size_t number, std::size_t index) {
   return !moves_behind || !has(block.begin, index, moves);
 }
 
+bool ReferenceSide::may_change_places(std::size_t number, std::size_t later) const {
+  const auto has_order = [](const Record& m) {
+    return is_fixed(m) || std::ranges::count(kProgramEnd, m.m) > 0;
+  };
+  return m_block(number) == m_block(later) && !has_order(m_function(number)) &&
+         !has_order(m_function(later));
+}
+
+void ReferenceSide::bring_forward(const Move& move) {
+  m_functions(move.index);
+  const auto at = [&](std::size_t number) {
+    return m_.begin() + static_cast<std::ptrdiff_t>(number);
+  };
+  std::rotate(at(move.number), at(move.later), at(move.later + 1));
+  moves_.push_back(move);
+}
+
 bool ReferenceSide::is_overdue(std::size_t number, std::size_t index) {
   const MFunction& m = m_[number];
   return index > (is_fixed(m.record) ? m.event : block_of(m).end);

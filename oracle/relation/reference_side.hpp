@@ -38,6 +38,15 @@ class ReferenceSide {
   const reference::Record& m_function(std::size_t number) const { return m_[number].record; }
   bool may_stand(std::size_t number, std::size_t index);
   bool is_overdue(std::size_t number, std::size_t index);
+  // Whether two are of one block that gives them no order; then the later one may come first.
+  bool may_change_places(std::size_t number, std::size_t later) const;
+  struct Move {
+    std::size_t index = 0;  // an event by which both are known
+    std::size_t number = 0;
+    std::size_t later = 0;
+  };
+  void bring_forward(const Move& move);
+  const std::vector<Move>& moves() const { return moves_; }
   std::uint64_t m_block(std::size_t number) const { return m_[number].record.block; }
 
   const std::vector<Acceptance>& acceptances() const { return acceptances_; }
@@ -77,6 +86,7 @@ class ReferenceSide {
   std::size_t item_ = 0;
   std::size_t scanned_ = 0;  // before which all M functions are known
   std::deque<MFunction> m_;
+  std::vector<Move> moves_;
   std::vector<Acceptance> acceptances_;
 };
 

@@ -85,9 +85,8 @@ void Correspondence::traverse(const Place& place, const Interval& entry) {
       if (!axes.take(got.to, tau)) return;
       here = got.to;
       ++next.j;
-    } else if (takes_m({next.pair, place.i, next.j, next.m}, true)) {
-      ++next.m;
-      ++next.j;
+    } else if (const auto behind = behind_m({next.pair, place.i, next.j, next.m}, true)) {
+      next = {behind->pair, next.i, behind->j, behind->m};
     } else {
       const auto end = end_of_small_run(side, next.j, here, want.width);
       if (!end || !axes.take(side.at(*end).from, tau)) return;
@@ -102,17 +101,46 @@ bool Correspondence::is_partner(const Event& want, const Event& got) const {
   return got.part == Part::traverse && compare(*want.label, *got.label, terms_) == Likeness::same;
 }
 
-// R5: whether the subject's event is the next M function that holds no place among the motions, and
-// may stand before the reference's event, or within it: among the parts of the only motion of a
-// block.
-bool Correspondence::takes_m(const Place& place, bool is_within) {
+// R5: which M function that holds no place among the motions the subject's event is: the next one,
+// or another of its block. It may stand before the reference's event, or within it: among the parts
+// of the only motion of a block.
+std::optional<std::size_t> Correspondence::fitting_m(const Place& place, bool is_within) {
   ReferenceSide& sides = reference(place);
   const Event& got = subject(place).at(place.j);
-  if (got.part != Part::stop || got.source().kind != RecordKind::m) return false;
-  if (place.m >= sides.m_functions(place.i)) return false;
-  const Record& due = sides.m_function(place.m);
-  if (due.m != got.source().m || (terms_.compare_blocks && due.block != got.block)) return false;
-  return sides.may_stand(place.m, place.i) && (!is_within || sides.may_stand(place.m, place.i + 1));
+  if (got.part != Part::stop || got.source().kind != RecordKind::m) return std::nullopt;
+  const std::size_t known = sides.m_functions(place.i);
+  for (std::size_t number = place.m; number < known; ++number) {
+    if (number > place.m && !sides.may_change_places(number - 1, number)) break;
+    const Record& due = sides.m_function(number);
+    if (due.m != got.source().m || (terms_.compare_blocks && due.block != got.block)) continue;
+    const bool stands =
+        sides.may_stand(number, place.i) && (!is_within || sides.may_stand(number, place.i + 1));
+    if (stands) return number;
+  }
+  return std::nullopt;
+}
+
+// Where both sides are behind it. What comes out of turn makes another side of the reference.
+std::optional<Correspondence::Place> Correspondence::behind_m(const Place& place, bool is_within) {
+  const auto number = fitting_m(place, is_within);
+  if (!number) return std::nullopt;
+  Place next = {place.pair, place.i, place.j + 1, place.m + 1};
+  if (*number == place.m) return next;
+  Pair pair = pairs_[place.pair];
+  pair.reference = another_reference(place, reference(place).settled());
+  pair.reference->bring_forward({place.i, place.m, *number});
+  pairs_.push_back(std::move(pair));
+  next.pair = pairs_.size() - 1;
+  return next;
+}
+
+// One that is equal so far, but for what is settled.
+std::shared_ptr<ReferenceSide> Correspondence::another_reference(const Place& place,
+                                                                 Settled settled) {
+  auto another = std::make_shared<ReferenceSide>(profile_, program_, terms_, std::move(settled),
+                                                 manner_.passes_end);
+  for (const ReferenceSide::Move& move : reference(place).moves()) another->bring_forward(move);
+  return another;
 }
 
 // R5.
@@ -130,9 +158,7 @@ void Correspondence::match_stop(const Place& place) {
       reach_corner({next.pair, next.i + 1, next.j, next.m});
     }
   }
-  if (!takes_m(place, false)) return;
-  ++next.m;
-  reach_corner(next);
+  if (const auto behind = behind_m(place, false)) reach_corner(*behind);
 }
 
 // The position gets another name where the subject stands.
@@ -162,8 +188,7 @@ void Correspondence::settle(const Place& place, std::vector<Record> path, const 
   Settled settled = reference(place).settled();
   settled.insert_or_assign(reference(place).item_of(place.i), std::move(path));
   Pair pair = pairs_[place.pair];
-  pair.reference = std::make_shared<ReferenceSide>(profile_, program_, terms_, std::move(settled),
-                                                   manner_.passes_end);
+  pair.reference = another_reference(place, std::move(settled));
   pairs_.push_back(std::move(pair));
   reach_corner({pairs_.size() - 1, next.i, next.j, next.m});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -24,6 +25,12 @@ class Queue {
     ++first_;
     // Half of it has gone: every element is moved at most once on its way through.
     if (2 * first_ >= elements_.size()) drop_gone();
+  }
+  // The element so far behind the first becomes the first.
+  void bring_forward(std::size_t place) {
+    const auto first = elements_.begin() + offset();
+    const auto one = first + static_cast<std::ptrdiff_t>(place);
+    std::rotate(first, one, one + 1);
   }
   void clear() {
     elements_.clear();

@@ -119,6 +119,15 @@ void ReferenceSteps::take_m_function() {
   ++taken_m_functions_;
 }
 
+// It is then due before the steps of its block that stood before it.
+void ReferenceSteps::bring_forward(std::size_t place) {
+  const std::uint64_t block = waiting()[place].record.block;
+  m_functions_.bring_forward(place);
+  for (Step& step : steps_) {
+    if (step.block == block && step.m_functions <= taken_m_functions_ + place) ++step.m_functions;
+  }
+}
+
 // A pass is an entry, a helix, a run-out and a way back.
 void ReferenceSteps::count_passes(const reference::ThreadMilling& thread) {
   constexpr auto kMost = static_cast<std::int64_t>(kMostItems);

@@ -67,6 +67,8 @@ class ReferenceSteps {
   }
   // The first of them has come.
   void take_m_function();
+  // One of them, which stands so far behind the first and in its block, is to come first (R5).
+  void bring_forward(std::size_t place);
   // Nobody asks for those that follow.
   void leave_out_m_functions() { leaves_out_m_functions_ = true; }
 

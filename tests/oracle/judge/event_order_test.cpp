@@ -86,6 +86,27 @@ TEST(EventOrder, WhatStopsSomethingComesBehindACut) {
   }
 }
 
+// No text orders the M functions of a block of SINUMERIK among themselves.
+TEST(EventOrder, MFunctionsOfOneBlockHaveNoOrderAmongThemselves) {
+  for (const std::string_view dialect : {"sinumerik840d", "sinumerik802s"}) {
+    expect_order({dialect,
+                  "G0 X3 M3 M8 S100\nG1 X0 Z5 F100 M41 M7\nM30\n",
+                  {"M1,3", "M1,8", "R1,3,0", "M2,41", "M2,7", "F2,0,5", "M3,30"},
+                  {{4, 5}, {1, 3}, {0, 5}, {4, 2}, {6, 5}},
+                  {{0, 1}, {0, 2}, {1, 2}, {3, 4}, {3, 5}}});
+    const Judging judging = {.m = true, .dialect = dialect};
+    const std::string program = "G1 X0 Z5 F100 M41 M7 M8\nM30\n";
+    for (const WordTrace& trace : {WordTrace{"M1,8", "M1,41", "M1,7", "F1,0,5", "M2,30"},
+                                   WordTrace{"M1,7", "M1,8", "M1,41", "F1,0,5", "M2,30"},
+                                   WordTrace{"M1,8", "M1,7", "F1,0,5", "M1,41", "M2,30"}}) {
+      EXPECT_EQ(judged_trace(program, trace, judging).kind, VerdictKind::pass_exact) << trace[1];
+    }
+    // One of them twice, and another not at all.
+    const WordTrace twice = {"M1,8", "M1,8", "M1,41", "F1,0,5", "M2,30"};
+    EXPECT_EQ(decision(judged_trace(program, twice, judging).kind), Decision::no_go);
+  }
+}
+
 // SIE-MOD-02 puts M5 out before the motion; no text says that it stands there.
 TEST(EventOrder, WhatTheReferenceHasBeforeACutMayComeBehindIt) {
   expect_order({"sinumerik840d",

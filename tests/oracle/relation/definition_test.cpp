@@ -382,6 +382,21 @@ TEST(R5Events, WhatEndsTheProgramComesBehindTheMotionsOfItsBlock) {
 }
 
 // A block without a cut is no cycle.
+TEST(R5Events, MFunctionsOfOneBlockHaveNoOrderAmongThemselves) {
+  const Declared sie{.dialect = "sinumerik840d"};
+  const auto m = [](int block, int number) {
+    return fmt::format("{{\"k\":\"m\",\"b\":{},\"m\":{}}}\n", block, number);
+  };
+  const std::string feed = R"({"k":"feed","b":1,"to":{"x":"5"},"f":"100"})"
+                           "\n";
+  const std::string program = "G1 X5 F100 M41 M7 M8\nM30\n";
+  EXPECT_EQ(decided(program, m(1, 41) + m(1, 7) + m(1, 8) + feed + m(2, 30), sie), kGo);
+  EXPECT_EQ(decided(program, m(1, 8) + m(1, 41) + m(1, 7) + feed + m(2, 30), sie), kGo);
+  EXPECT_EQ(decided(program, m(1, 8) + m(1, 7) + feed + m(1, 41) + m(2, 30), sie), kGo);
+  EXPECT_EQ(decided(program, m(1, 8) + m(1, 41) + feed + m(1, 7) + m(2, 30), sie), "fail.order R5");
+  EXPECT_NE(decided(program, m(1, 8) + m(1, 8) + m(1, 41) + feed + m(2, 30), sie), kGo);
+}
+
 TEST(R5Events, AmongTraversesAnMFunctionIsFree) {
   const Declared gsk{.dialect = "gsk988ta"};
   const std::string to_25 = R"({"k":"rapid","b":1,"to":{"x":"25"}})"
