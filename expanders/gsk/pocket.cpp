@@ -47,8 +47,7 @@ void check_modal_words(Machine& machine) {
 // GSK-G110-16, GSK-G110-03.
 void check_sizes(Machine& machine) {
   const PocketStore& store = machine.state.pocket;
-  check_positive(machine,
-                 {{'I', store.radius}, {'L', store.step}, {'D', store.tool_radius}});
+  check_positive(machine, {{'I', store.radius}, {'L', store.step}, {'D', store.tool_radius}});
   // GSK-G110-20
   if (machine.follows("gsk.pocket.q-zero=alarm"_reading)) {
     check_positive(machine, {{'Q', store.step_down}});

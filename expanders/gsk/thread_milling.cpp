@@ -52,7 +52,8 @@ void check(Machine& machine, const ThreadWords& words, const Retained& r_plane, 
   if (internal && !fits) machine.raise(AlarmKind::kToolTooLarge, 'D');
 }
 
-void take_radii(const Machine& machine, const ThreadWords& words, Mode mode, ThreadMilling& thread) {
+void take_radii(const Machine& machine, const ThreadWords& words, Mode mode,
+                ThreadMilling& thread) {
   thread.side = mode == Mode::kExternalThread ? 1 : -1;
   const int tool_side = machine.has("thread-tool-side"_fault) ? -thread.side : thread.side;
   const Fixed share = machine.has("thread-diameter-as-radius"_fault) ? 1 : 2;

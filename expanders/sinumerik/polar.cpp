@@ -12,8 +12,8 @@ void take_angle(Machine& machine, const Block& block, bool for_pole, Polar& pola
   if (std::fabs(value.counts) > kFullTurn) {
     return machine.complain(AlarmKind::kValueOutOfRange, Address::kPolarAngle, block);
   }
-  const bool follows_g91 = machine.follows("sie.ap.g91=incremental"_reading) !=
-                           machine.has("ap-follows-g91"_fault);
+  const bool follows_g91 =
+      machine.follows("sie.ap.g91=incremental"_reading) != machine.has("ap-follows-g91"_fault);
   const bool by_g91 = follows_g91 && machine.state.incremental && !for_pole &&
                       value.mode == Value::Mode::kPlain && polar.has_angle;
   const bool adds = by_g91 || (value.mode == Value::Mode::kIncremental && !for_pole);

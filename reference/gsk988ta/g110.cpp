@@ -96,8 +96,7 @@ Number clearance_of(const BlockContext& block) {
 
 // GSK-G110-11: asked where P leads beyond the R plane, which is above the first layer if at all.
 bool stays_below_r_plane(const BlockContext& block, const Pocket& pocket) {
-  const bool is_asked =
-      pocket.site.depth() > pocket.infeed && pocket.clearance > pocket.infeed;
+  const bool is_asked = pocket.site.depth() > pocket.infeed && pocket.clearance > pocket.infeed;
   return !is_asked || block.readings.is("gsk.pocket.p-beyond=r-plane"_reading);
 }
 

@@ -35,10 +35,10 @@ Generator<Item> mill(MillingSite site, ThreadMilling thread, bool open, bool fee
   co_yield site.return_at(feeds_back, "GSK-G114-07"_clause);
 }
 
-constexpr std::array kThreadWords = {
-    &ThreadWords::lead,     &ThreadWords::height,         &ThreadWords::infeed,
-    &ThreadWords::tool,     &ThreadWords::diameter,       &ThreadWords::run_out_length,
-    &ThreadWords::run_out_angle};
+constexpr std::array kThreadWords = {&ThreadWords::lead,         &ThreadWords::height,
+                                     &ThreadWords::infeed,       &ThreadWords::tool,
+                                     &ThreadWords::diameter,     &ThreadWords::run_out_length,
+                                     &ThreadWords::run_out_angle};
 
 bool is_external(int code) {
   return code == 114 || code == 115;
@@ -56,8 +56,8 @@ void check_tool(BlockContext& block, const ThreadWords& words) {
   if (is_external(block.machine.milling.code) || !words.tool || !words.diameter) return;
   const int room = decided("GSK-G114-15"_clause, "E / 2 - D", *words.diameter / 2, *words.tool);
   if (room <= 0) {
-    block.alarm(AlarmClass::tool_too_large,
-                room < 0 ? "GSK-G114-15"_clause : "GSK-G114-18"_clause, 'D',
+    block.alarm(AlarmClass::tool_too_large, room < 0 ? "GSK-G114-15"_clause : "GSK-G114-18"_clause,
+                'D',
                 with_values("The tool's radius of {} mm is not smaller than the bore's of {} mm.",
                             {*words.tool, *words.diameter / 2}));
   }
@@ -75,8 +75,12 @@ ThreadWords words_in_force(const BlockContext& block, const ThreadWords& given,
 }
 
 ThreadWords words_of(const BlockWords& words) {
-  return {words.length('I'), words.length('P'), words.length('Q'),
-          words.length('D'), words.length('E'), words.length('J'),
+  return {words.length('I'),
+          words.length('P'),
+          words.length('Q'),
+          words.length('D'),
+          words.length('E'),
+          words.length('J'),
           words.has('K') ? std::optional(words.written('K')) : std::nullopt};
 }
 

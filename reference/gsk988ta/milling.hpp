@@ -65,7 +65,7 @@ void check_depth(BlockContext& block, const MillingSite& site);
 struct NeededWord {
   char address;
   const std::optional<Number>& value;
-  std::optional<ClauseId> positive = std::nullopt;  // of its own, that it is above zero
+  std::optional<ClauseId> positive = std::nullopt;             // of its own, that it is above zero
   std::optional<ReadingAlternative> zero_runs = std::nullopt;  // under which zero is no alarm
 };
 // Missing words; in a block that mills also those that are not above zero.

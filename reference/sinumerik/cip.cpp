@@ -79,8 +79,7 @@ void run_intermediate(BlockContext& block) {
   const char* word = "I1";
   if (!block.words.has(Address::i1)) word = block.words.has(Address::j1) ? "J1" : "K1";
   block.alarm(AlarmClass::arc_intermediate_point, is_between ? "SIE-CIP-01"_clause : kPoints,
-              WordName(word),
-              "Start, intermediate point and end are no three points of a circle.");
+              WordName(word), "Start, intermediate point and end are no three points of a circle.");
 }
 
 }  // namespace gonogo::reference::sinumerik

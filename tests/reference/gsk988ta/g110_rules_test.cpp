@@ -138,9 +138,9 @@ TEST(G110Rules, Clause16ILQDAreAboveZero) {
 TEST(G110Rules, Clause20AnInfeedOfZeroIsOneLayerUnderItsReading) {
   const Lines got = lines("G110 X50 Z50 Y-5 R-2 I16 L3 Q0 P1 D4 F800",
                           profile_with({{"gsk.pocket.q-zero", "one-layer"}}), OpenPaths::judged);
-  EXPECT_EQ(got, (Lines{"rapid x25 z50", "rapid y-2", "feed y-5 f800",
-                        "level d-5 c50,25 R16 r4 L3 -1 f800", "rapid y-2", "rapid x25 z50",
-                        "rapid y0"}));
+  EXPECT_EQ(
+      got, (Lines{"rapid x25 z50", "rapid y-2", "feed y-5 f800",
+                  "level d-5 c50,25 R16 r4 L3 -1 f800", "rapid y-2", "rapid x25 z50", "rapid y0"}));
 }
 
 // The layers end 5 and 7.5 below the R plane at -2: P8 is 3 beyond it.
