@@ -77,8 +77,8 @@ void take_radius(Machine& machine, const Block& block, Sketch& sketch) {
     case CircleDefect::kRadiusTooShort: {
       // Half the chord may be longer by the smallest radius: then the centre lies in its middle.
       const Wide reach = 2 * (static_cast<Wide>(magnitude(radius)) + kSmallestRadius);
-      const bool forgiven =
-          machine.configuration.forgiving_arcs && sketch.chord.square() <= reach * reach;
+      const bool forgiven = machine.configuration.arc_tolerance == kByLinuxcnc &&
+                            sketch.chord.square() <= reach * reach;
       if (!machine.alters("short-radius-forgiven"_fault, forgiven, true)) {
         return machine.complain(AlarmKind::kArcRadius, 'R', block);
       }
@@ -127,11 +127,16 @@ bool check_centre_words(Machine& machine, const Block& block, const Sketch& sket
 }
 
 // Reading ngc.arc-tolerance, in squares of counts: 0.002 mm and 0.0002 in of one; 8 and 0.0008 mm2,
-// 0.08 and 0.000008 in2 of the other.
+// 0.08 and 0.000008 in2 of LinuxCNC; 0.5 and 0.005 mm, 0.05 and 0.0005 in of its page; grbl's are
+// millimetres alone.
 RadiusTolerance tolerance_of(const Machine& machine) {
   constexpr Wide kSquareMillimetre = static_cast<Wide>(kOne) * kOne;
   const bool inch = machine.spares("inch-tolerance-millimetres"_fault, machine.state.inch);
-  if (!machine.configuration.forgiving_arcs) return {squared(inch ? 5'080'000 : 2'000'000), -1};
+  const Option rule = machine.configuration.arc_tolerance;
+  if (rule == kByNist) return {squared(inch ? 5'080'000 : 2'000'000)};
+  if (rule == kByGrbl) return {squared(500'000'000), squared(5'000'000), true};
+  if (rule == kByPage && inch) return {squared(1'270'000'000), squared(12'700'000)};
+  if (rule == kByPage) return {squared(500'000'000), squared(5'000'000)};
   const Wide always = inch ? kSquareMillimetre * 516'128 / 10'000 : 8 * kSquareMillimetre;
   const Wide relative =
       inch ? kSquareMillimetre * 516'128 / 100'000'000 : kSquareMillimetre * 8 / 10'000;
@@ -159,7 +164,7 @@ void check_radii(Machine& machine, const Block& block, Sketch& sketch) {
   const Wide end_square = end.square();
   const char word = block.has(offset_of(plane.p)) ? offset_of(plane.p) : offset_of(plane.q);
   const Wide smallest = squared(kSmallestRadius);
-  const bool no_circle = machine.configuration.forgiving_arcs
+  const bool no_circle = machine.configuration.arc_tolerance == kByLinuxcnc
                              ? start_square < smallest || end_square < smallest
                              : start_square == 0 || end_square == 0;
   if (no_circle) machine.complain(AlarmKind::kArcRadius, word, block);

@@ -13,6 +13,7 @@ namespace gonogo::expanders::ngc {
 /// One of the outcomes of a reading, in the order of its names in configuration.cpp.
 using Option = std::uint8_t;
 
+enum : Option { kByNist, kByLinuxcnc, kByPage, kByGrbl };          // ngc.arc-tolerance
 enum : Option { kExact, kNist, kLinuxcnc };                        // ngc.whole
 enum : Option { kFromTool, kFromInitial, kAbsolute };              // ngc.cycle.g91-r
 enum : Option { kTenThou, kOneMillimetre, kTenth, kTwentieth };    // ngc.peck.clearance
@@ -34,21 +35,21 @@ struct Configuration {
 
   // Readings; 0 is the standard machine.
   Option whole = kExact;
-  Option forgiving_arcs = 0;      ///< ngc.arc-tolerance
-  Option circle_needs_word = 0;   ///< ngc.full-circle-words
-  Option forgets_g80 = 0;         ///< ngc.g80-beside
-  Option passes_over_words = 0;   ///< ngc.unused-words
-  Option whole_line_numbers = 0;  ///< ngc.line-number
-  Option refuses_names = 0;       ///< ngc.o-name
-  Option needs_no_end = 0;        ///< ngc.program-end
-  Option motion_needs_axis = 0;   ///< ngc.bare-motion
-  Option arc_needs_axis = 0;      ///< ngc.arc-words-alone
-  Option looks_for_tools = 0;     ///< ngc.missing-tool
-  Option g94_ends_feed = 0;       ///< ngc.g94-feed
-  Option feed_in_new_units = 0;   ///< ngc.feed-units
-  Option reads_skipped = 0;       ///< ngc.block-delete
-  Option cr_is_blank = 0;         ///< ngc.lone-cr
-  Option dwells_first = 0;        ///< ngc.alarm-dwell
+  Option arc_tolerance = kByNist;  ///< ngc.arc-tolerance
+  Option circle_needs_word = 0;    ///< ngc.full-circle-words
+  Option forgets_g80 = 0;          ///< ngc.g80-beside
+  Option passes_over_words = 0;    ///< ngc.unused-words
+  Option whole_line_numbers = 0;   ///< ngc.line-number
+  Option refuses_names = 0;        ///< ngc.o-name
+  Option needs_no_end = 0;         ///< ngc.program-end
+  Option motion_needs_axis = 0;    ///< ngc.bare-motion
+  Option arc_needs_axis = 0;       ///< ngc.arc-words-alone
+  Option looks_for_tools = 0;      ///< ngc.missing-tool
+  Option g94_ends_feed = 0;        ///< ngc.g94-feed
+  Option feed_in_new_units = 0;    ///< ngc.feed-units
+  Option reads_skipped = 0;        ///< ngc.block-delete
+  Option cr_is_blank = 0;          ///< ngc.lone-cr
+  Option dwells_first = 0;         ///< ngc.alarm-dwell
   // of the hole cycles
   Option initial_of_block = 0;      ///< ngc.cycle.initial
   Option r_base = kFromTool;        ///< ngc.cycle.g91-r

@@ -30,6 +30,9 @@ bool too_far_apart(Wide start_square, Wide end_square, const RadiusTolerance& to
   if (tolerance.relative < 0 || !differ_by_more(start_square, end_square, tolerance.relative)) {
     return false;
   }
+  if (tolerance.of_start && end_square > start_square) {
+    return multiply(end_square, 1'000'000) > multiply(start_square, 1'002'001);
+  }
   // More than 1/1000 of the larger: the smaller is below 999/1000 of it.
   const auto [smaller, larger] = std::minmax(start_square, end_square);
   return multiply(smaller, 1'000'000) < multiply(larger, 998'001);

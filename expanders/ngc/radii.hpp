@@ -10,6 +10,7 @@ namespace gonogo::expanders::ngc {
 struct RadiusTolerance {
   Wide always = 0;     ///< square of the difference above which no arc is accepted
   Wide relative = -1;  ///< above this one it may still be 1/1000 of the larger radius; -1: no such
+  bool of_start = false;  ///< 1/1000 of the radius at the start
 };
 
 /// Whether square roots of `a` and `b` (from 0 to 8 * kLargest^2) differ by more than that of

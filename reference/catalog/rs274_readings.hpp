@@ -11,10 +11,12 @@ inline constexpr auto kNgcReadings = of_dialect(
     "rs274",
     std::to_array<Reading>({
         {.name = "ngc.arc-tolerance",
-         .alternatives = {"nist", "linuxcnc"},
+         .alternatives = {"nist", "linuxcnc", "page", "grbl"},
          .clause = "NGC-ARC-03"_clause,
          .text = "how far an arc's end may miss its circle: as NIST's interpreter has it, or as "
-                 "LinuxCNC's"},
+                 "LinuxCNC's; or by 0.005 mm (0.0005 inch) and, up to 0.5 mm (0.05 inch), a "
+                 "thousandth of the radius, as LinuxCNC's page says; or so in mm alone and of the "
+                 "radius at the start, as grbl has it"},
         {.name = "ngc.full-circle-words",
          .alternatives = {"free", "needed"},
          .clause = "NGC-ARC-04"_clause,

@@ -103,15 +103,35 @@ struct LinuxcncLimits {
   Number most;   // 2 mm, 0.2 inch
 };
 
+const Number kThousandth = Number::millionths(1000);
+
+bool is_without_radius(const OffsetCentre& arc) {
+  return arc.begins_at_centre() || arc.ends_at_centre();
+}
+
 RadiusFaults faults_by_nist(const OffsetCentre& arc, bool inch) {
-  return {arc.begins_at_centre() || arc.ends_at_centre(), !arc.radii_agree(limit_of_nist(inch))};
+  return {is_without_radius(arc), !arc.radii_agree(limit_of_nist(inch))};
+}
+
+// 0.0005 and 0.05 inch.
+RadiusFaults faults_by_page(const OffsetCentre& arc, bool inch) {
+  const bool agree = arc.radii_agree(Number::millionths(inch ? 12'700 : 5000)) ||
+                     (arc.radii_agree(Number::millionths(inch ? 1'270'000 : 500'000)) &&
+                      arc.radii_agree_in_part(kThousandth));
+  return {is_without_radius(arc), !agree};
+}
+
+RadiusFaults faults_by_grbl(const OffsetCentre& arc) {
+  const bool agree =
+      arc.radii_agree(Number::millionths(5000)) || (arc.radii_agree(Number::millionths(500'000)) &&
+                                                    arc.radii_agree_in_part_of_start(kThousandth));
+  return {is_without_radius(arc), !agree};
 }
 
 RadiusFaults faults_by_linuxcnc(const OffsetCentre& arc, bool inch) {
   const LinuxcncLimits limits(inch);
-  const bool agree =
-      arc.radii_agree_squared(limits.least) ||
-      (arc.radii_agree_squared(limits.most) && arc.radii_agree_in_part(Number::millionths(1000)));
+  const bool agree = arc.radii_agree_squared(limits.least) ||
+                     (arc.radii_agree_squared(limits.most) && arc.radii_agree_in_part(kThousandth));
   return {arc.radius_below(kForgiven), !agree};
 }
 
@@ -123,13 +143,23 @@ std::string allowed_apart(bool inch) {
       {limit_of_nist(inch), exact::sqrt(limits.least), exact::sqrt(limits.most)});
 }
 
+// The reading is asked for only where it matters.
+RadiusFaults faults_of(const BlockContext& block, const OffsetCentre& arc, bool inch) {
+  const RadiusFaults nist = faults_by_nist(arc, inch);
+  const RadiusFaults linuxcnc = faults_by_linuxcnc(arc, inch);
+  const RadiusFaults page = faults_by_page(arc, inch);
+  const RadiusFaults grbl = faults_by_grbl(arc);
+  if (nist == linuxcnc && nist == page && nist == grbl) return nist;
+  if (block.readings.is("ngc.arc-tolerance=page"_reading)) return page;
+  if (block.readings.is("ngc.arc-tolerance=grbl"_reading)) return grbl;
+  return is_linuxcnc(block) ? linuxcnc : nist;
+}
+
 void check_radii(BlockContext& block, const OffsetCentre& arc, char address) {
   const bool inch = block.words.modes().inch;
-  // No alarm under either reading: a radius of zero is below what LinuxCNC allows.
+  // No alarm under any reading: a radius of zero is below what LinuxCNC allows.
   if (arc.radii_agree(limit_of_nist(inch)) && !arc.radius_below(kForgiven)) return;
-  RadiusFaults faults = faults_by_nist(arc, inch);
-  const RadiusFaults other = faults_by_linuxcnc(arc, inch);
-  if (faults != other && is_linuxcnc(block)) faults = other;
+  const RadiusFaults faults = faults_of(block, arc, inch);
   const ClauseId clause = "NGC-ARC-03"_clause;
   if (faults.zero) {
     block.alarm(AlarmClass::arc_radius, clause, address, "The radius of the arc is zero.");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far an end may lie off the circle, by both readings of ngc.arc-tolerance.
+// How far an end may lie off the circle, by the readings of ngc.arc-tolerance.
 #include <gtest/gtest.h>
 
 #include "expanders/ngc/radii.hpp"
@@ -21,6 +21,22 @@ TEST(NgcTolerance, TwoThousandthsAreAllowed) {
   EXPECT_EQ(arc_tolerance_alarm("G2 X20.0021 I10"), "arc-end-point");
   EXPECT_EQ(arc_tolerance_alarm("G2 X19.998 I10"), "");
   EXPECT_EQ(arc_tolerance_alarm("G2 X19.9979 I10"), "arc-end-point");
+}
+
+// 100 and 99.9, 99.9 and 100 mm; 0.1 and 0.1005 in.
+TEST(NgcTolerance, AThousandthByThePageAndByGrbl) {
+  constexpr const char* kPage = R"({"readings":{"ngc.arc-tolerance":"page"}})";
+  constexpr const char* kGrbl = R"({"readings":{"ngc.arc-tolerance":"grbl"}})";
+  for (const char* profile : {kPage, kGrbl}) {
+    EXPECT_EQ(arc_tolerance_alarm("G2 X2.005 I1", profile), "");
+    EXPECT_EQ(arc_tolerance_alarm("G2 X2.0051 I1", profile), "arc-end-point");
+    EXPECT_EQ(arc_tolerance_alarm("G2 X199.9 I100", profile), "");
+    EXPECT_EQ(arc_tolerance_alarm("G2 X1999.4999 I1000", profile), "arc-end-point");
+  }
+  EXPECT_EQ(arc_tolerance_alarm("G2 X199.9 I99.9", kPage), "");
+  EXPECT_EQ(arc_tolerance_alarm("G2 X199.9 I99.9", kGrbl), "arc-end-point");
+  EXPECT_EQ(arc_tolerance_alarm("G20 G2 X0.2005 I0.1", kPage), "");
+  EXPECT_EQ(arc_tolerance_alarm("G20 G2 X0.2005 I0.1", kGrbl), "arc-end-point");
 }
 
 // 0.0002 in = 0.00508 mm.

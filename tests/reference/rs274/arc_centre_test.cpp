@@ -39,6 +39,28 @@ TEST(NgcArcCentre, AnEndInTheCentreHasNoRadius) {
   EXPECT_EQ(outcome("G2 X0.002 I0.001", ngc({{"ngc.arc-tolerance", "nist"}})), kDone);
 }
 
+// Half a turn about (r, 0) from the origin: the radii are r and x - r.
+TEST(NgcArcCentre, ThePageAndGrblAllowAThousandth) {
+  const Profile page = ngc({{"ngc.arc-tolerance", "page"}});
+  const Profile grbl = ngc({{"ngc.arc-tolerance", "grbl"}});
+  const std::string refused = "alarm b2 arc-end-point";
+  for (const Profile& profile : {page, grbl}) {
+    EXPECT_EQ(outcome("G2 X2.005 I1", profile), kDone);     // 1 and 1.005
+    EXPECT_EQ(outcome("G2 X2.0051 I1", profile), refused);  // 1 and 1.0051
+    EXPECT_EQ(outcome("G2 X199.9 I100", profile), kDone);   // 100 and 99.9
+    EXPECT_EQ(outcome("G2 X199.8999 I100", profile), refused);
+    EXPECT_EQ(outcome("G2 X1999.5 I1000", profile), kDone);  // 1000 and 999.5
+    EXPECT_EQ(outcome("G2 X1999.4999 I1000", profile), refused);
+  }
+  // 99.9 and 100: a thousandth of the larger, more of the one at the start.
+  EXPECT_EQ(outcome("G2 X199.9 I99.9", page), kDone);
+  EXPECT_EQ(outcome("G2 X199.9 I99.9", grbl), refused);
+  // 0.0005 inch is 0.0127 mm.
+  EXPECT_EQ(outcome("G20 G2 X0.2005 I0.1", page), kDone);
+  EXPECT_EQ(outcome("G20 G2 X0.20051 I0.1", page), refused);
+  EXPECT_EQ(outcome("G20 G2 X0.2005 I0.1", grbl), refused);
+}
+
 TEST(NgcArcCentre, ReadingsAreAskedForOnlyWhereTheyMatter) {
   EXPECT_EQ(touched("F9\nG2 X2 I1\nX4 R1\nX6.002 I1\nM2"), Lines{});
   EXPECT_EQ(touched("F9\nG2 I1\nM2"), Lines{"ngc.full-circle-words"});
