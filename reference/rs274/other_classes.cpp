@@ -40,8 +40,9 @@ void admit_by_rule(Alarm& alarm) {
     case AlarmClass::duplicate_word:  // two codes of a group
       if (is_at_code(alarm)) admit(AlarmClass::conflicting_words);
       return;
-    case AlarmClass::missing_word:  // a motion for axis words
+    case AlarmClass::missing_word:  // a motion for axis words; a number that counts as one outside
       if (is_at_code(alarm)) admit(AlarmClass::unused_word);
+      if (alarm.clause == "NGC-OFS-03"_clause) admit(AlarmClass::value_out_of_range);
       return;
     case AlarmClass::lead_missing:
     case AlarmClass::feed_missing:

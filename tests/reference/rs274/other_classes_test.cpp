@@ -100,6 +100,7 @@ TEST(OtherClasses, OfWordsThatTheMotionDoesNotTake) {
 }
 
 TEST(OtherClasses, OfWhatIsMissingAndOfArcs) {
+  EXPECT_EQ(admitted("G10 L2 X1\n"), (Classes{"missing-word", "value-out-of-range"}));
   EXPECT_EQ(admitted("G1 X1\n"), (Classes{"feed-missing", "missing-word"}));
   EXPECT_EQ(admitted("M3\nG33 Z-1\n"), (Classes{"lead-missing", "missing-word"}));
   EXPECT_EQ(admitted("F100\nG2 X9 R1\n"), (Classes{"arc-radius", "arc-end-point"}));
