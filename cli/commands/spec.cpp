@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -141,8 +142,23 @@ void append_clauses(const reference::Dialect& dialect, std::string_view about, s
   }
 }
 
+// Has its heading only where something stands in it.
+class Section {
+ public:
+  Section(std::string_view heading, std::string& out) : heading_(heading), out_(out) {}
+  void add(std::string_view text) {
+    if (!std::exchange(is_begun_, true)) out_ += fmt::format("\n{}\n", heading_);
+    out_ += text;
+  }
+
+ private:
+  std::string_view heading_;
+  std::string& out_;
+  bool is_begun_ = false;
+};
+
 void append_readings(std::string_view dialect, std::string_view about, std::string& out) {
-  out += "\nReadings (default first)\n";
+  Section section("Readings (default first)", out);
   for (const reference::Reading& reading : reference::readings()) {
     if (!reading.belongs_to(dialect)) continue;
     const bool is_asked =
@@ -154,23 +170,24 @@ void append_readings(std::string_view dialect, std::string_view about, std::stri
     }
     if (reading.is_length) choices += " | a length in mm";
     if (reading.fallback != "any" && !reading.is_length) choices += " | any";
-    out += fmt::format("  {} = {}\n{:8}{} ({})\n", reading.name, choices, "", reading.text,
-                       reference::clause_name(reading.clause));
+    section.add(fmt::format("  {} = {}\n{:8}{} ({})\n", reading.name, choices, "", reading.text,
+                            reference::clause_name(reading.clause)));
   }
 }
 
 void append_codes(const reference::Dialect& dialect, std::string_view about, std::string& out) {
-  out += "\nCodes that are read, and their words (modal: they stay in force)\n";
+  Section section("Codes that are read, and their words (modal: they stay in force)", out);
   for (const reference::Code& code : dialect.descriptor->codes) {
     if (code.treatment != reference::Treatment::read || code.is_m()) continue;
     if (!concerns(code, about)) continue;
-    out += fmt::format("  {:<6} {} [{}]", code.text(), code.title, code.feature);
+    std::string line = fmt::format("  {:<6} {} [{}]", code.text(), code.title, code.feature);
     if (code.clause != reference::kNoClause) {
-      out += fmt::format(" ({})", reference::clause_name(code.clause));
+      line += fmt::format(" ({})", reference::clause_name(code.clause));
     }
-    out += '\n';
+    line += '\n';
     const std::string words = reference::words_text(code);
-    if (!words.empty()) out += fmt::format("{:9}{}\n", "", words);
+    if (!words.empty()) line += fmt::format("{:9}{}\n", "", words);
+    section.add(line);
   }
 }
 

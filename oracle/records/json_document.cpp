@@ -7,6 +7,9 @@
 #include <new>
 #include <vector>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
@@ -56,6 +59,44 @@ void need_memory(simdjson::error_code error) {
   if (error == simdjson::MEMALLOC) throw std::bad_alloc();
 }
 
+// Finds the first byte that is none of a JSON text; takes in nothing of it.
+class ErrorPlace : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return true; }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t byte, const std::string&,
+                   const nlohmann::detail::exception&) override {
+    byte_ = byte;
+    return false;
+  }
+  std::size_t byte() const { return byte_; }  // from 1; 0: none
+
+ private:
+  std::size_t byte_ = 0;
+};
+
+std::string not_json(std::string_view text, simdjson::error_code error) {
+  if (error == simdjson::DEPTH_ERROR) {
+    return fmt::format("This JSON nests deeper than {} levels: {}", kJsonDepth, excerpt(text));
+  }
+  ErrorPlace place;
+  nlohmann::json::sax_parse(text, &place);
+  if (place.byte() == 0) return "This is not JSON: " + excerpt(text);
+  if (place.byte() > text.size()) return "This JSON has no end: " + excerpt(text);
+  return fmt::format("This is not JSON, from column {} on: {}", place.byte(),
+                     excerpt(text.substr(place.byte() - 1)));
+}
+
 }  // namespace
 
 // Recursion is bounded: the parser refuses what nests deeper than kJsonDepth.
@@ -97,7 +138,7 @@ std::variant<simdjson::dom::object, JsonFault> JsonDocument::parse_padded(std::s
   element root;
   error = parser_.parse(text.data(), text.size(), false).get(root);
   need_memory(error);
-  if (error != simdjson::SUCCESS) return JsonFault{"This is not JSON: " + excerpt(text)};
+  if (error != simdjson::SUCCESS) return JsonFault{not_json(text, error)};
   if (root.type() != element_type::OBJECT) {
     return JsonFault{"This is not a JSON object: " + excerpt(text)};
   }

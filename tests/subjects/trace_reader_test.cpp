@@ -31,6 +31,13 @@ std::string fault_of(std::string_view line) {
 #define EXPECT_FAULT(line, word) \
   EXPECT_NE(fault_of(line).find(word), std::string::npos) << (line) << " -> " << fault_of(line)
 
+TEST(TraceReader, SaysFromWhichColumnOnALineIsNoJson) {
+  EXPECT_FAULT(R"({"k":"rapid","to":{"x":5"}})", "not JSON, from column 25 on: \"}}");
+  EXPECT_FAULT(R"({"k":"rapid","to":{"x":"5"})", "has no end");
+  EXPECT_FAULT("G0 X5", "not JSON, from column 1 on: G0 X5");
+  EXPECT_FAULT(std::string(100, '['), "nests deeper than 64 levels");
+}
+
 TEST(TraceReader, ReadsAFeed) {
   const Record record =
       record_of(R"({"k":"feed","b":7,"to":{"x":"1.5","c":"-11/3"},"f":"2e2","fm":"rev"})");
