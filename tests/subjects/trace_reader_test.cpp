@@ -32,7 +32,8 @@ std::string fault_of(std::string_view line) {
   EXPECT_NE(fault_of(line).find(word), std::string::npos) << (line) << " -> " << fault_of(line)
 
 TEST(TraceReader, SaysFromWhichColumnOnALineIsNoJson) {
-  EXPECT_FAULT(R"({"k":"rapid","to":{"x":5"}})", "not JSON, from column 25 on: \"}}");
+  EXPECT_FAULT(R"({"k":"rapid","to":{"x":5 6}})", "not JSON, from column 26 on: 6}}");
+  EXPECT_FAULT(R"({"k":"rapid","to":{"x":5"}})", "has no end");  // nor has the text behind 5
   EXPECT_FAULT(R"({"k":"rapid","to":{"x":"5"})", "has no end");
   EXPECT_FAULT("G0 X5", "not JSON, from column 1 on: G0 X5");
   EXPECT_FAULT(std::string(100, '['), "nests deeper than 64 levels");
