@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/program_file.hpp"
+#include "cli/called_files.hpp"
 #include "reference/nearest_word.hpp"
 
 #include <fcntl.h>
@@ -104,6 +105,28 @@ void ProgramFile::keep() {
                       std::strerror(fault)));
     }
   }
+  bytes_ = std::make_unique<grammar::FileSource>(descriptor_);
+}
+
+void ProgramFile::add_called_files() {
+  if (size_ <= 0 || size_ > kMostWithCalls) return;
+  const std::string alone = read_file(name_);
+  std::string program = alone;
+  cli::add_called_files(name_, program);
+  if (program == alone) return;
+  std::FILE* const whole = std::tmpfile();
+  const bool written = whole != nullptr &&
+                       std::fwrite(program.data(), 1, program.size(), whole) == program.size() &&
+                       std::fflush(whole) == 0;
+  const int descriptor = written ? ::dup(::fileno(whole)) : -1;
+  const int fault = errno;
+  if (whole != nullptr) std::fclose(whole);
+  if (descriptor < 0) {
+    throw UsageError(fmt::format("{} and its subroutines cannot be kept in a temporary file: {}.",
+                                 name_, std::strerror(fault)));
+  }
+  ::close(descriptor_);
+  descriptor_ = descriptor;
   bytes_ = std::make_unique<grammar::FileSource>(descriptor_);
 }
 

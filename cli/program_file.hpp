@@ -44,6 +44,9 @@ class ProgramFile {
   // What cannot be read twice, as a pipe, is copied into a temporary file first. Throws UsageError;
   // what never ends does not fill the disk.
   void keep();
+  // The program with the subroutines that stand in files beside it (cli/called_files.hpp). Tells
+  // the user which. REQUIRES: keep() was called.
+  void add_called_files();
   int descriptor() const { return descriptor_; }
 
  private:
@@ -59,6 +62,7 @@ class StoredFile {
   explicit StoredFile(const std::string& path, const char* kind = kNcProgram) : file_(path, kind) {
     file_.keep();
   }
+  void add_called_files() { file_.add_called_files(); }
   // For grammar::FileSource.
   int descriptor() const { return file_.descriptor(); }
 

@@ -141,6 +141,7 @@ int expand(const ExpandOptions& options) {
   ProgramFile file(options.program);
   warn_about_empty_program(file);
   file.keep();
+  if (load_profile(options.profile).dialect == "rs274") file.add_called_files();
   return Expansion(options, file).run();
 }
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "cli/called_files.hpp"
 #include "cli/commands.hpp"
 #include "cli/diagnostics.hpp"
 #include "cli/exit_code.hpp"
@@ -117,10 +118,11 @@ std::string times_of(const oracle::CycleTime& time) {
 }
 
 int explain(const ExplainOptions& options) {
-  const std::string program = read_file(options.program);
+  std::string program = read_file(options.program);
   if (program.empty()) throw UsageError(options.program + " is empty.");
-  const reference::Profile profile =
-      oracle::profile_to_show(load_profile(options.profile), program);
+  const reference::Profile machine = load_profile(options.profile);
+  if (machine.dialect == "rs274") add_called_files(options.program, program);
+  const reference::Profile profile = oracle::profile_to_show(machine, program);
   NumberedLines numbered(program);
   check_block(numbered, options.block);
   grammar::MemorySource bytes(program);

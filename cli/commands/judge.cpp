@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "cli/called_files.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/judged_sheet.hpp"
@@ -203,7 +204,8 @@ int judge_subject(const JudgeOptions& options, const reference::Profile& profile
   terms.most_records = std::numeric_limits<std::size_t>::max();
   hunt::Trial trial(trial_subject(words), std::move(terms));
   check_dialect(trial.info(), profile.dialect);
-  const std::string program = read_file(options.program);
+  std::string program = read_file(options.program);
+  if (profile.dialect == "rs274") add_called_files(options.program, program);
   const hunt::JudgedRun run = trial.examine({{}, {profile, program}});
   using Kind = oracle::RunEnd::Kind;
   if (run.end.kind == Kind::skip || run.end.kind == Kind::refused) {
@@ -231,7 +233,8 @@ int judge(const JudgeOptions& options) {
   if (options.by_definition && !options.sheet.empty()) {
     throw UsageError("--sheet draws what the judge says: leave --by-definition out.");
   }
-  const StoredFile program(options.program);
+  StoredFile program(options.program);
+  if (profile.dialect == "rs274") program.add_called_files();
   RecordedTrace trace(options.trace);
   if (options.by_definition) {
     return judge_by_definition(options, profile, oracle::ProgramText::of_file(program.descriptor()),
