@@ -211,8 +211,8 @@ TEST(Advice, SaysThatWhatFollowsIsNotJudged) {
 }
 
 TEST(Advice, IsNoneWhereATextStatesTheRule) {
-  // R 20 against a travel of Z-15: the figures of G94 exclude it.
-  EXPECT_EQ(judge_trace("G00 X130 Z5\nG94 X120 Z-10 R20 F300\n", kRapidToStart).kind,
+  // R 20 against a travel of 5 along X: GSK-G90-09.
+  EXPECT_EQ(judge_trace("G00 X130 Z5\nG90 X120 Z-10 R20 F300\n", kRapidToStart).kind,
             VerdictKind::fail_alarm_missing);
   // Note 1 of G94 orders the alarm.
   EXPECT_EQ(judge_trace("G00 X130 Z5\nG94 X120 Z-10 Y1 F300\n", kRapidToStart).kind,
