@@ -39,6 +39,7 @@ constexpr Reading kReadings[] = {
     {"ngc.cycle.retract-start", &Configuration::starts_with_g98, {"r-plane", "initial"}},
     {"ngc.cycle.feed", &Configuration::needs_no_feed, {"needed", "free"}},
     {"ngc.cycle.alarm-at", &Configuration::alarms_late, {"block", "late"}},
+    {"ngc.cycle.alarm-at-q", &Configuration::q_at_once, {"hole", "block"}},
     {"ngc.g83.retract", &Configuration::pecks_to_clear, {"r-plane", "clear"}},
     {"ngc.g83.return", &Configuration::returns_by_feed, {"rapid", "feed"}},
     {"ngc.peck.clearance",

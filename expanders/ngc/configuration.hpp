@@ -59,6 +59,7 @@ struct Configuration {
   Option starts_with_g98 = 0;       ///< ngc.cycle.retract-start
   Option needs_no_feed = 0;         ///< ngc.cycle.feed
   Option alarms_late = 0;           ///< ngc.cycle.alarm-at
+  Option q_at_once = 0;             ///< ngc.cycle.alarm-at-q
   Option pecks_to_clear = 0;        ///< ngc.g83.retract
   Option returns_by_feed = 0;       ///< ngc.g83.return
   Option clearance = kTenThou;      ///< ngc.peck.clearance

@@ -303,6 +303,7 @@ void CycleBlock::check_late(Plan& plan) {
     cycle_.infeed = std::max<Fixed>(1, cycle_.r - cycle_.bottom);
   } else if (is_peck(cycle_.code) && *store_.q <= 0) {
     complain_late(AlarmKind::kValueSign, 'Q', Cycle::kApproach);
+    if (machine_.configuration.q_at_once) return;
   }
   check_spindle();
   plan.alarms_late = clean && machine_.in_alarm() && machine_.configuration.alarms_late;

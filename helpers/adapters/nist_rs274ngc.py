@@ -54,6 +54,7 @@ class NistRs274ngc(Subject):
         "arc-words-alone": "alarm", "cycle.initial": "block", "cycle.g91-r": "current",
         "cycle.sticky": "number", "cycle.approach": "current-level",
         "cycle.retract-start": "r-plane", "cycle.feed": "free", "cycle.alarm-at": "late",
+        "cycle.alarm-at-q": "block",
         "g83.retract": "clear", "g83.return": "rapid", "peck.clearance": "ten-thou",
         "peck.d": "barred", "peck.dwell": "none", "g85.out": "clear", "tap.p": "barred",
     }

@@ -64,6 +64,12 @@ inline constexpr auto kNgcCycleReadings = of_dialect(
                  "interpreter have it, the lift to R where P or Q is missing, and the way to the "
                  "first hole where Q is not above zero or the spindle does not turn as it must, "
                  "behind the dwell of a G4 of the block"},
+        {.name = "ngc.cycle.alarm-at-q",
+         .alternatives = {"hole", "block"},
+         .clause = "NGC-CYC-29"_clause,
+         .text = "what is moved under ngc.cycle.alarm-at = late of a block whose Q is not above "
+                 "zero: the way to the first hole, as LinuxCNC has it; or nothing, as NIST's "
+                 "interpreter has it, which looks at Q as it reads it"},
         {.name = "ngc.g83.retract",
          .alternatives = {"r-plane", "clear"},
          .clause = "NGC-G83-02"_clause,

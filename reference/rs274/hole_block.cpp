@@ -70,6 +70,7 @@ void HoleBlock::take_own_word() {
       block_.alarm(AlarmClass::value_sign, "NGC-CYC-22"_clause, 'Q',
                    with_values("The depth of a peck, {}, is not above zero.", {*in_force}));
       note_late(Found::over_the_hole);
+      is_q_at_fault_ = true;
     } else if (!is_q && decided("NGC-CYC-22"_clause, "P", *in_force) < 0) {
       block_.alarm(AlarmClass::value_sign, "NGC-CYC-22"_clause, 'P',
                    with_values("A dwell of {} s is negative.", {*in_force}));
@@ -203,6 +204,7 @@ void HoleBlock::stop() {
       at_place ? always_approached(hole, [](const Approach& way) { return way.lifts == 0; })
                : always_approached(hole, [](const Approach& way) { return way.traverses.empty(); });
   if ((stays && dwells.empty()) || !block_.readings.is("ngc.cycle.alarm-at=late"_reading)) return;
+  if (is_q_at_fault_ && block_.readings.is("ngc.cycle.alarm-at-q=block"_reading)) return;
   Approach moved = approach(hole);
   if (at_place) moved.traverses.resize(moved.lifts);
   block_.out.before_alarm = std::move(dwells);

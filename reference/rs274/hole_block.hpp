@@ -66,6 +66,7 @@ class HoleBlock {
   Number dwell_;
   bool ends_at_r_plane_ = false;
   std::size_t late_ = 0;                // alarms that a control may find late
+  bool is_q_at_fault_ = false;          // one of them is of a Q that is not above zero
   Found found_ = Found::over_the_hole;  // of those the one that it finds first
 };
 

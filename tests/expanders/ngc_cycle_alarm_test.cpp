@@ -190,6 +190,15 @@ TEST(NgcCycleAlarm, NothingOfTheBlockMoves) {
   EXPECT_EQ(run_ngc("F100\nG0 Z1\nG86 X1 Z-1 R2 P1\n").motions(), "rapid z=1\n");
 }
 
+// Reading ngc.cycle.alarm-at-q.
+TEST(NgcCycleAlarm, AQThatIsNotAboveZeroMayBeFoundAtOnce) {
+  const char* const readings =
+      R"({"readings":{"ngc.cycle.alarm-at":"late","ngc.cycle.alarm-at-q":"block"}})";
+  EXPECT_EQ(run_ngc("F100\nG0 Z1\nG83 X1 Z-1 R2 Q0\n", readings).motions(), "rapid z=1\n");
+  EXPECT_EQ(run_ngc("F100\nG0 Z1\nG83 X1 Z-1 R2\n", readings).motions(),
+            "rapid z=1\nrapid z=2\n");
+}
+
 // Reading ngc.cycle.alarm-at, in full in Part 4.
 TEST(NgcCycleAlarm, FoundLate) {
   const std::string late = one_reading("ngc.cycle.alarm-at", "late");

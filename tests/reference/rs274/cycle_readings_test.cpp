@@ -117,6 +117,18 @@ TEST(NgcCycleReadings, AlarmsThatAreFoundLate) {
   EXPECT_EQ(under({late}, "G0 Z5\nG86 X1 Z1 R2 P1"), "R0,0,5 R1,0,5 R1,0,2 !b3:spindle-stopped");
 }
 
+// What NIST's interpreter finds as it reads the block, and the rest late.
+TEST(NgcCycleReadings, AQThatIsNotAboveZeroMayBeFoundAtOnce) {
+  const Choice late = {"ngc.cycle.alarm-at", "late"};
+  const Choice at_once = {"ngc.cycle.alarm-at-q", "block"};
+  EXPECT_EQ(under({late, at_once}, "G83 X1 Z1 R2 Q0"), "!b2:value-sign");
+  EXPECT_EQ(under({late, at_once}, "G83 G4 P1.5 X1 Z1 R2 Q0"), "!b2:value-sign");
+  EXPECT_EQ(under({late, at_once}, "G83 X1 Z1 R2"), "R0,0,2 !b2:missing-word");
+  EXPECT_EQ(under({late, at_once}, "G0 Z5\nG86 X1 Z1 R2 P1"),
+            "R0,0,5 R1,0,5 R1,0,2 !b3:spindle-stopped");
+  EXPECT_EQ(under({at_once}, "G83 X1 Z1 R2 Q0"), "!b2:value-sign");
+}
+
 // NGC-CYC-27: as linuxcnc does, which dwells before it lifts the tool, and where it need not.
 TEST(NgcCycleReadings, AlarmsThatAreFoundLateBehindADwell) {
   const Choice late = {"ngc.cycle.alarm-at", "late"};
