@@ -3,6 +3,7 @@
 #include "oracle/relation/near.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace gonogo::relation {
 
@@ -97,7 +98,8 @@ Number Correspondence::cell_tolerance(const Place& place) {
   if (arc.finds_centre) finds_centres_ = true;
   const Number rounded = terms_.tolerance * 17 / 8;
   if (!arc.finds_centre || !manner_.excuses_centres) return tolerance(rounded, width);
-  // R7: a centre of the control's own excuses no other end.
+  // R7: a centre of the control's own excuses no turn too many, and no other end.
+  if (std::abs(got.source().rot) > std::abs(want.source().rot)) return tolerance(rounded, width);
   const bool ends =
       reference(place).at(place.i + 1).begins || subject(place).at(place.j + 1).begins;
   return tolerance(ends ? rounded : rounded * 2, width);

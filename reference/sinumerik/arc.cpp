@@ -65,11 +65,13 @@ Address check_centre_words(BlockContext& block, const PlaneAxes& axes) {
 }
 
 // SIE-ARC-05: an arc of no angle that would lead nowhere, under a reading that has it do just that.
+bool has_no_angle(const BlockWords& words) {
+  return words.has(Address::ar) && words.written(Address::ar).sign() == 0 &&
+         !words.has(Address::turn);
+}
 bool moves_nothing(const BlockContext& block, const std::optional<EndPoint>& end) {
-  const BlockWords& words = block.words;
-  if (!words.has(Address::ar) || words.written(Address::ar).sign() != 0) return false;
-  if (!end || words.has(Address::turn)) return false;
-  return !any_nonzero({end->by[Axis::x], end->by[Axis::y], end->by[Axis::z], end->by[Axis::a],
+  return end &&
+         !any_nonzero({end->by[Axis::x], end->by[Axis::y], end->by[Axis::z], end->by[Axis::a],
                        end->by[Axis::c]}) &&
          block.readings.is("sie.ar.zero=none"_reading);
 }
@@ -160,12 +162,15 @@ void run_arc(BlockContext& block, int sense) {
   // The plane in force has been looked at where it was named.
   const bool admitted = plane == block.machine.plane || admits_plane(block, plane, 'G');
   const Address centre_word = check_centre_words(block, axes);
-  const std::optional<EndPoint> end = end_point(block);  // the rules of AP and RP hold anyway
-  const bool stays = moves_nothing(block, end);
+  std::optional<EndPoint> end;
+  const bool needs_end = has_no_angle(block.words);
+  if (needs_end) end = end_point(block);
+  const bool stays = needs_end && moves_nothing(block, end);
   const bool angle_in_range = stays || check_angle(block);
   // Where the only centre is one along the third axis, there is none to work with.
   const bool has_no_centre = block.words.has_centre() && !block.words.has(centre_word);
   const bool has_form = check_form(block, axes);
+  if (!needs_end) end = end_point(block);  // the rules of AP and RP hold anyway
   if (!has_form || has_no_centre || !end || !angle_in_range || !admitted || stays) return;
   ArcCommand arc{plane, axes, sense, *end};
   const std::optional<FoundArc> found = find_arc(block, arc, centre_word);

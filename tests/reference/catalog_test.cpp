@@ -157,11 +157,11 @@ TEST(Catalog, TheLevelsHaveTheirNames) {
   EXPECT_EQ(name(ClauseLevel::open), "open");
 }
 
-// A sample of each level, from the text: the cycle's path is said, the taper limit follows from
-// the figures, the way home after the last layer is left open.
+// A sample of each level, from the text: the cycle's path is said, the one direction of R and depth
+// follows from a note, the way home after the last layer is left open.
 TEST(Catalog, ALevelSaysHowFirmlyAClauseStands) {
   EXPECT_EQ(clause("GSK-G94-03"_clause).level, ClauseLevel::must);
-  EXPECT_EQ(clause("GSK-G94-09"_clause).level, ClauseLevel::derived);
+  EXPECT_EQ(clause("GSK-G110-04"_clause).level, ClauseLevel::derived);
   EXPECT_EQ(clause("GSK-G110-13"_clause).level, ClauseLevel::open);
 }
 

@@ -36,7 +36,7 @@ TEST(TraceReader, SaysFromWhichColumnOnALineIsNoJson) {
   EXPECT_FAULT(R"({"k":"rapid","to":{"x":5"}})", "has no end");  // nor has the text behind 5
   EXPECT_FAULT(R"({"k":"rapid","to":{"x":"5"})", "has no end");
   EXPECT_FAULT("G0 X5", "not JSON, from column 1 on: G0 X5");
-  EXPECT_FAULT(std::string(100, '['), "nests deeper than 64 levels");
+  EXPECT_FAULT(std::string(100, '[') + std::string(100, ']'), "nests deeper than 64 levels");
 }
 
 TEST(TraceReader, ReadsAFeed) {
