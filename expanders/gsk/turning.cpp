@@ -34,11 +34,10 @@ bool checks_taper(const Machine& machine) {
 }
 
 bool taper_too_long(const Machine& machine, Fixed taper, Fixed travel) {
-  if (!checks_taper(machine)) return false;
   if (machine.has("taper-zero-travel-refused"_fault) && travel == 0 && taper != 0) return true;
   if (sign_of(taper) * sign_of(travel) >= 0) return false;
-  if (machine.has("taper-equality-refused"_fault)) return magnitude(taper) >= magnitude(travel);
-  return magnitude(taper) > magnitude(travel);
+  if (machine.has("taper-equality-refused"_fault) && taper == -travel) return true;
+  return checks_taper(machine) && magnitude(taper) > magnitude(travel);
 }
 
 bool runs(const Machine& machine, const Block& block) {

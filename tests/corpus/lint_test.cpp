@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "corpus_testing.hpp"
 #include "corpus/io/corpus_diff.hpp"
 #include "corpus/io/folder_writer.hpp"
+#include "corpus_testing.hpp"
 
 namespace gonogo::testing {
 namespace {
@@ -32,6 +32,7 @@ CorpusFolder triple() {
     test.group = "gsk.g94.sign";
     test.features = {"g94"};
     test.clauses = {"GSK-G94-09"};
+    test.profile.readings.set("gsk.g94.taper-limit=alarm"_reading);
     test.tags_sign = {sides[i]};
     test.provenance = "hand";
     test.expect = {oracle::expectation_of(test.profile, test.program)};

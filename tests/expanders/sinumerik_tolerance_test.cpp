@@ -94,10 +94,13 @@ TEST(SinumerikTolerance, RoundedPointsOnACircleStayOnIt) {
 }
 
 TEST(SinumerikTolerance, RangeOfTheOpeningAngle) {
+  const char* const refuses = R"({"readings":{"sie.ar.zero":"alarm"}})";
   for (const char* angle : {"0", "360", "-1", "361"}) {
-    EXPECT_EQ(tolerance_alarm("G2 I2 AR=" + std::string(angle)), "value-out-of-range") << angle;
+    EXPECT_EQ(tolerance_alarm("G2 I2 AR=" + std::string(angle), refuses), "value-out-of-range")
+        << angle;
     EXPECT_EQ(tolerance_alarm("G2 X2 AR=" + std::string(angle)), "value-out-of-range") << angle;
   }
+  EXPECT_EQ(run_sinumerik("F9\nG2 I2 AR=0\nG1 X1\n").motions(), "feed x=1 f=9\n");
   EXPECT_EQ(tolerance_alarm("G2 I2 AR=0.001"), "");
   EXPECT_EQ(tolerance_alarm("G2 X2 AR=359.999"), "");
 }

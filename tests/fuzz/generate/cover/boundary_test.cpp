@@ -43,10 +43,10 @@ TEST(VariedWords, AreTheNumbersOfAddressesThatMeasure) {
   EXPECT_EQ(words, (std::vector<std::string>{"X|-60.5", "R|9", "F|100", "R101=|4", "CR=|-2"}));
 }
 
-// GSK-G94-09: the travel along Z is -10, so R of the other sign may be up to 10.
+// GSK-G90-09: the travel along X is -20, so R of the other sign may be up to 20.
 TEST(Boundary, FindsTheLimitOfATaper) {
-  EXPECT_TRUE(has(triples_of("gsk988ta", "G18 G00 X100 Z50\nG94 X60 W-10 R5 F100\n", "R"),
-                  "GSK-G94-09", {"R9.999", "R10", "R10.001"}));
+  EXPECT_TRUE(has(triples_of("gsk988ta", "G18 G00 X100 Z50\nG90 X60 W-10 R5 F100\n", "R"),
+                  "GSK-G90-09", {"R19.999", "R20", "R20.001"}));
 }
 
 // GSK-G110-03: I = 5 alarms, 5.001 does not.
