@@ -42,7 +42,7 @@ const settled = (page) => page.waitForFunction(() => /record|Wrong use|stopped/.
 const text = (page, selector) => page.locator(selector).innerText();
 const records = async (page) => (await page.locator('#records').textContent()).trim().split('\n').map((line) => JSON.parse(line));
 
-const kAlarm = 'G00 X130 Z5\n  G94 X60 Z-20 R30 F200;\n';
+const kAlarm = 'G00 X130 Z5\n  G90 X60 Z-20 R40 F200;\n';
 test('a program is expanded in the page alone, with an alarm shown by line, caret and clause', () => withPage({ dialect: 'gsk988ta', program: kAlarm }, async (page) => {
   assert.match(await text(page, '#state'), /An alarm ends it/);
   const messages = await page.locator('#messages').textContent();
@@ -55,7 +55,7 @@ test('a program is expanded in the page alone, with an alarm shown by line, care
   assert.equal(await page.evaluate(() => {
     const area = document.querySelector('#program');
     return area.value.slice(area.selectionStart, area.selectionStart + 4);
-  }), 'R30 ');
+  }), 'R40 ');
 }));
 
 test('each motion is stepped to with its clause, in space', () => withPage(null, async (page) => {
