@@ -87,17 +87,20 @@ void check_tool(BlockContext& block) {
 }
 
 // abs(P); GSK-MOD-03: P holds for its block.
-Number clearance_of(const BlockContext& block) {
+std::optional<Number> clearance_of(const BlockContext& block) {
   const bool modal = block.readings.is("gsk.pocket.R=modal"_reading);
   const std::optional<Number> clearance =
       modal ? block.machine.milling.retained_clearance : block.words.length('P');
-  return clearance ? abs(*clearance) : block.readings.length("gsk.pocket.p-omitted"_key);
+  return clearance ? std::optional(abs(*clearance)) : std::nullopt;
 }
 
-// GSK-G110-11: asked where P leads beyond the R plane, which is above the first layer if at all.
-bool stays_below_r_plane(const BlockContext& block, const Pocket& pocket) {
-  const bool is_asked = pocket.site.depth() > pocket.infeed && pocket.clearance > pocket.infeed;
-  return !is_asked || block.readings.is("gsk.pocket.p-beyond=r-plane"_reading);
+// GSK-G110-11: asked where a P that is given leads beyond the R plane, which is above the first
+// layer if at all. A clearance of the control's own ends there.
+void take_clearance(const BlockContext& block, Pocket& pocket) {
+  const std::optional<Number> given = clearance_of(block);
+  pocket.clearance = given ? *given : block.readings.length("gsk.pocket.p-omitted"_key);
+  if (!given || pocket.site.depth() <= pocket.infeed || *given <= pocket.infeed) return;
+  pocket.stays_below_r_plane = block.readings.is("gsk.pocket.p-beyond=r-plane"_reading);
 }
 
 // GSK-G110-13; GSK-G110-17 for a pocket without depth.
@@ -123,14 +126,13 @@ Pocket make_pocket(BlockContext& block, MillingSite site) {
   level.feed_mode = machine.feed_mode;
   pocket.infeed = mode.infeed.value_or(0);
   if (pocket.infeed.sign() == 0) pocket.infeed = site.depth();  // GSK-G110-20
-  pocket.clearance = clearance_of(block);
   // GSK-G110-09: the path is open unless a reading names one.
   const bool any = block.readings.is("gsk.pocket.path=any"_reading);
   pocket.open_path = any && block.open_paths == OpenPaths::judged;
   pocket.concentric = block.readings.is("gsk.pocket.path=concentric"_reading);
   pocket.ends_at_initial_plane = ends_at_initial_plane(block, site);
   pocket.site = std::move(site);
-  pocket.stays_below_r_plane = stays_below_r_plane(block, pocket);
+  take_clearance(block, pocket);
   return pocket;
 }
 
