@@ -101,9 +101,9 @@ TEST(Lint, AnExpectationIsTheReferences) {
   const ScratchFolder scratch;
   const std::string folder = written(scratch, "a", triple());
   std::string text = bytes_of(folder + "/" + kFile);
-  const std::size_t place = text.find("taper-limit");
+  const std::size_t place = text.find("\"taper-limit\"");
   ASSERT_NE(place, std::string::npos);
-  text.replace(place, 11, "value-sign");
+  text.replace(place, 13, "\"value-sign\"");
   scratch.write(std::string("a/") + kFile, text);
   EXPECT_TRUE(any_has(findings(folder, true), "The reference says otherwise"));
 }
@@ -180,7 +180,7 @@ TEST(CorpusDiff, NamesAnExpectationThatChanged) {
   const std::string before = written(scratch, "a", triple());
   const std::string now = written(scratch, "b", triple());
   std::string text = bytes_of(now + "/" + kFile);
-  text.replace(text.find("taper-limit"), 11, "value-sign");
+  text.replace(text.find("\"taper-limit\""), 13, "\"value-sign\"");
   scratch.write(std::string("b/") + kFile, text);
   const auto result = oracle::diff(oracle::Corpus(before), oracle::Corpus(now));
   EXPECT_EQ(result.changed, std::vector<std::string>{"gsk.g94.sign-0123456789.000003"});
