@@ -187,8 +187,8 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
         oracle::counted(shown, "finding", "findings"),
         explained == 0 ? "none was found" : fmt::format("explains {} of them", explained),
         explained == shown ? ""
-                           : " Where two mistakes meet no one of them explains it: mend the first "
-                             "finding and run again.");
+                           : " Where two mistakes meet, or one is none of those that are tried, no "
+                             "one explains it: mend the first finding and run again.");
   }
   return text;
 }

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "fuzz/hunt/campaign_json.hpp"
-#include "fuzz/hunt/program_files.hpp"
 #include "corpus/io/files.hpp"
 #include "corpus/io/sha256.hpp"
+#include "fuzz/hunt/campaign_json.hpp"
+#include "fuzz/hunt/program_files.hpp"
 #include "oracle/records/output_file.hpp"
 
 namespace gonogo::hunt {
@@ -132,7 +132,8 @@ void write_campaign_state(const std::string& folder, const CampaignState& state)
                      {"findings", findings},
                      {"inputs", state.inputs}};
   fs::create_directories(folder);
-  oracle::write_file(state_file(folder), json.dump(1) + "\n");
+  oracle::write_file(state_file(folder),
+                     json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::vector<generate::GeneratedProgram> read_inputs(const std::string& folder,

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "corpus/io/files.hpp"
 #include "fuzz/hunt/campaign_json.hpp"
 #include "fuzz/hunt/hunt_summary.hpp"
-#include "corpus/io/files.hpp"
 #include "oracle/records/output_file.hpp"
 
 namespace gonogo::hunt {
@@ -60,7 +60,8 @@ void write_campaign_summary(const std::string& folder, const HuntSummary& summar
                      {"features", features_json(summary.features)},
                      {"left_out", summary.left_out},
                      {"findings", findings}};
-  oracle::write_file(summary_file(folder), json.dump(1) + "\n");
+  oracle::write_file(summary_file(folder),
+                     json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 KnownCauses read_known_causes(const std::string& folder) try {

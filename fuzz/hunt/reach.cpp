@@ -168,7 +168,7 @@ std::string Reach::json(const std::string& subject) const {
                       {"features", share_json(share_of(features_))}}},
                     {"clauses", std::move(clauses)},
                     {"features", std::move(features)}};
-  return all.dump(1) + "\n";
+  return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace gonogo::hunt

@@ -190,16 +190,15 @@ std::vector<std::string> features_of_case(const ProgramText& program,
                                           const std::vector<std::string>& stated) {
   constexpr std::array<std::string_view, 3> kBesideAll = {"arc-distance", "rotary", "linuxcnc"};
   const std::set<std::string> needed = features_of_part(program);
-  const auto is_cycle = [&](const std::string& name) {
-    return std::ranges::any_of(program.table->codes, [&](const Code& code) {
-      return code.kind == reference::Kind::cycle && code.feature == name;
-    });
+  const auto is_of_code = [&](const std::string& name) {
+    return name != kBasic && std::ranges::any_of(program.table->codes, [&](const Code& code) {
+             return code.feature == name;
+           });
   };
-  const bool has_cycle = std::ranges::any_of(
-      stated, [&](const std::string& name) { return is_cycle(name) && needed.contains(name); });
   std::vector<std::string> features;
-  std::ranges::copy_if(stated, std::back_inserter(features),
-                       [&](const std::string& name) { return has_cycle || !is_cycle(name); });
+  std::ranges::copy_if(stated, std::back_inserter(features), [&](const std::string& name) {
+    return !is_of_code(name) || needed.contains(name);
+  });
   for (const std::string_view name : kBesideAll) {
     const bool is_new = std::ranges::find(features, name) == features.end();
     if (is_new && needed.contains(std::string(name))) features.emplace_back(name);

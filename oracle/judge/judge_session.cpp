@@ -266,11 +266,19 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   if (rank(one) == 3) return one.verdict.kind < other.verdict.kind;
   if (rank(one) > 1) return false;
   if (one.progress != other.progress) return one.progress > other.progress;
-  const auto lacks_alarm = [](const SampledVerdict& said) {
-    return said.verdict.kind == VerdictKind::fail_alarm_missing ||
-           said.verdict.kind == VerdictKind::fail_alarm_late;
+  // Where one alternative alarms and another has no fault, an alarm is told by the former.
+  const auto is_far_from = [](const SampledVerdict& said) {
+    switch (said.verdict.kind) {
+      case VerdictKind::fail_alarm_missing:
+      case VerdictKind::fail_alarm_late:
+        return 2;
+      case VerdictKind::fail_alarm_spurious:
+        return 1;
+      default:
+        return 0;
+    }
   };
-  return !lacks_alarm(one) && lacks_alarm(other);
+  return is_far_from(one) < is_far_from(other);
 }
 
 // The end may show that others part.

@@ -46,7 +46,7 @@ const kAlarm = 'G00 X130 Z5\n  G90 X60 Z-20 R40 F200;\n';
 test('a program is expanded in the page alone, with an alarm shown by line, caret and clause', () => withPage({ dialect: 'gsk988ta', program: kAlarm }, async (page) => {
   assert.match(await text(page, '#state'), /An alarm ends it/);
   const messages = await page.locator('#messages').textContent();
-  assert.match(messages, /^program\.nc:2:16: alarm: .*\n {6}G94 X60 Z-20 R30 F200;\n {19}\^$/m);
+  assert.match(messages, /^program\.nc:2:16: alarm: .*\n {6}G90 X60 Z-20 R40 F200;\n {19}\^$/m);
   const clause = /, (GSK-[A-Z0-9]+-\d+)\]/.exec(messages)[1];
   assert.ok((await text(page, '#message-clauses')).includes(clause));
   assert.equal((await records(page)).at(-1).clause, clause);

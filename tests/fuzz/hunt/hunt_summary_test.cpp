@@ -45,6 +45,7 @@ class HuntSummaries : public ::testing::Test {
     state.rounds = 3;
     state.count.programs = 100;
     state.features["arc"] = {10, 2, 1};
+    state.left_out = "text / \xC3; word E";  // of programs, which may be no UTF-8
     std::size_t times = 0;
     for (const Signature& one : found) {
       ++times;
@@ -76,6 +77,12 @@ TEST_F(HuntSummaries, FacesOfOneCauseAreOneFinding) {
   EXPECT_EQ(summary.findings.front().symptoms.front().programs, 3U);
   EXPECT_EQ(summary.findings.front().symptoms.back().programs, 4U);
   EXPECT_EQ(summary.findings.front().programs(), 10U);
+}
+
+TEST_F(HuntSummaries, BytesThatAreNoTextArePutOutAsSuch) {
+  write_shard("shard-1-of-1", {kFirst});
+  const HuntSummary summary = summarize_campaign(folder());
+  EXPECT_EQ(summary.left_out, std::vector<std::string>{"text / \xEF\xBF\xBD; word E"});
 }
 
 TEST_F(HuntSummaries, TwoCausesAreTwoFindings) {
