@@ -42,9 +42,6 @@ void draw_gsk_cutting(const Pick& pick, Drawing& drawing, int code) {
   }
   if (pick.is("fault", "twice")) words.emplace_back("S100 S200");
   if (pick.is("fault", "unknown")) words.emplace_back("G69");
-  if (code == 94 && pick.is("R", "above")) {
-    drawing.profile.readings.set("gsk.g94.taper-limit=alarm"_reading);
-  }
   drawing.test(words);
   const std::string next = drawing.letters(across, mm(-7));
   if (pick.is("then", "again")) drawing.put({next});

@@ -43,7 +43,6 @@ void draw_mill(const Pick& pick, Drawing& drawing, const std::vector<std::string
 }
 
 void draw_gsk_pocket(const Pick& pick, Drawing& drawing) {
-  if (pick.is("Q", "zero")) drawing.profile.readings.set("gsk.pocket.q-zero=alarm"_reading);
   draw_mill(pick, drawing,
             {drawing.word("I", "I"), drawing.word("L", "L"), drawing.word("Q", "Q"),
              drawing.word("D", "D"), drawing.word("P", "P")});
@@ -142,7 +141,7 @@ site: whole no-d
 I: typical=2 whole=3 large=20 !none@missing-word !zero=0@value-out-of-range
 P: typical=1 at=5 !above=5+e@depth-exceeds-tool !none@missing-word !?zero=0@value-out-of-range
 Q: none zero=0 typical=0.4 more=6
-D: typical=5 fit=15-e !above=15+e@tool-too-large !none@missing-word
+D: typical=5 fit=15-e !?equal=15@tool-too-large !none@missing-word
 E: typical=30 !none@missing-word !?zero=0@value-out-of-range
 J: none zero=0 typical=2
 K: none zero=0 typical=45 at=360 !above=360.001@value-out-of-range !minus=-1@value-out-of-range
@@ -153,7 +152,7 @@ then: nothing off line
 reading: default path=gsk.thread.path=arc polar=gsk.thread.runout=polar radial=gsk.thread.runout=radial from=gsk.thread.v-from=initial
 no: R=against depth=zero
 no: F=none depth=zero
-no: D=above code=G114,G115
+no: D=equal code=G114,G115
 no: D=fit J=typical
 no: D=fit P=above
 no: E=zero code=G116,G117
@@ -161,7 +160,7 @@ no: site=no-d R=against
 no: site=no-d F=none
 no: site=no-d I=none,zero
 no: site=no-d P=above,none,zero
-no: site=no-d D=above,none
+no: site=no-d D=equal,none
 no: site=no-d E=none,zero
 no: reading=from R=against
 no: reading=from distance=letters R=agreeing

@@ -124,7 +124,6 @@ void draw_angle(const Pick& pick, Drawing& drawing) {
   if (!pick.is("with", "centre")) add_end(drawing, ways, words);
   if (!pick.is("with", "end")) add_centre(pick, drawing, ways, words);
   words.push_back("AR=" + pick["AR"]);
-  if (pick.is("AR", "zero")) drawing.profile.readings.set("sie.ar.zero=alarm"_reading);
   finish(pick, drawing, std::move(words));
 }
 
