@@ -64,8 +64,13 @@ oracle::LibraryHost made_host(const oracle::Library& library, const Channel& cha
 std::string fits(const HostOptions& options, const std::string& reply) {
   const std::string subject = oracle::shell_quoted("lib:" + options.library);
   const bool declares = reply.find("\"dialects\"") != std::string::npos;
-  return fmt::format("The library fits. Next: gonogo certify --subject {}{}", subject,
-                     declares ? "" : " --dialect rs274");
+  std::string text = fmt::format("The library fits. Next: gonogo certify --subject {}", subject);
+  if (!declares) {
+    text +=
+        " --dialect rs274\nIt declares no dialect: name the one that it reads (gonogo spec "
+        "--features).";
+  }
+  return text;
 }
 
 int host(const HostOptions& options) {

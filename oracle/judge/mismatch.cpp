@@ -158,7 +158,7 @@ Verdict before_renaming(const Motion& motion, const ReferenceStep& step) {
 Verdict motion_too_many(const Motion& motion, const ReferenceStep& step) {
   Verdict verdict;
   verdict.kind = VerdictKind::fail_overrun;
-  verdict.message = "The subject moves after the end of the program.";
+  verdict.message = "All motions of the program have come, and the subject makes another one.";
   verdict.block = motion.record.block;
   verdict.clause = clause_of(step);
   verdict.record = motion.number;
