@@ -190,14 +190,16 @@ std::vector<std::string> features_of_case(const ProgramText& program,
                                           const std::vector<std::string>& stated) {
   constexpr std::array<std::string_view, 3> kBesideAll = {"arc-distance", "rotary", "linuxcnc"};
   const std::set<std::string> needed = features_of_part(program);
-  const auto is_of_code = [&](const std::string& name) {
-    return name != kBasic && std::ranges::any_of(program.table->codes, [&](const Code& code) {
-             return code.feature == name;
-           });
+  // The machine alone may need others, as offsets.
+  const auto is_of_path = [&](const std::string& name) {
+    return std::ranges::any_of(program.table->codes, [&](const Code& code) {
+      return (code.kind == reference::Kind::cycle || code.kind == reference::Kind::arc) &&
+             code.feature == name;
+    });
   };
   std::vector<std::string> features;
   std::ranges::copy_if(stated, std::back_inserter(features), [&](const std::string& name) {
-    return !is_of_code(name) || needed.contains(name);
+    return !is_of_path(name) || needed.contains(name);
   });
   for (const std::string_view name : kBesideAll) {
     const bool is_new = std::ranges::find(features, name) == features.end();

@@ -20,8 +20,8 @@ std::set<std::string> features_needed(const ProgramText& program);
 std::set<std::string> features_of_part(const ProgramText& part);
 std::set<std::string> features_of_part(const reference::Descriptor& table, const TextBlock& block);
 
-// Those of a case of the corpus: the stated ones, except those of codes that the program does not
-// have, and what any program may have beside.
+// Those of a case of the corpus: the stated ones, except those of cycles and arcs that the program
+// does not have, and what any program may have beside.
 std::vector<std::string> features_of_case(const ProgramText& program,
                                           const std::vector<std::string>& stated);
 

@@ -351,6 +351,16 @@ class MillingConditions {
   Number most_way_;
 };
 
+// R4: behind a traverse that leads no farther than tau, also where another one follows.
+std::optional<std::size_t> end_of_small_traverse(SubjectSide& side, std::size_t begin,
+                                                 const Number& tau) {
+  const Event& first = side.at(begin);
+  if (first.part != Part::traverse || !first.begins) return std::nullopt;
+  std::size_t end = begin + 1;
+  while (!side.at(end).begins) ++end;
+  return is_near(side.at(end - 1).to, first.from, tau) ? std::optional(end) : std::nullopt;
+}
+
 }  // namespace
 
 StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
@@ -366,7 +376,9 @@ StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
       answer.broken = lacks;
     }
     if (!piece.is_motion()) return answer;
-    if (const auto end = end_of_small_stretch(way.subject, i, way.terms.tolerance)) {
+    auto end = end_of_small_stretch(way.subject, i, way.terms.tolerance);
+    if (!end) end = end_of_small_traverse(way.subject, i, way.terms.tolerance);
+    if (end) {
       i = *end - 1;
       continue;
     }
