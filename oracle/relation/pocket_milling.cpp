@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "oracle/relation/free_step.hpp"
+#include "oracle/relation/near.hpp"
 
 namespace gonogo::relation {
 
