@@ -187,8 +187,8 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
         oracle::counted(shown, "finding", "findings"),
         explained == 0 ? "none was found" : fmt::format("explains {} of them", explained),
         explained == shown ? ""
-                           : " Where two mistakes meet, or one is none of those that are tried, no "
-                             "one explains it: mend the first finding and run again.");
+                           : " The rest may be two mistakes that meet, or one that is not tried: "
+                             "mend the first finding and run again.");
   }
   return text;
 }

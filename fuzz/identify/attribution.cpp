@@ -50,6 +50,11 @@ class Attributor {
 void Attributor::observe(const ProgramAsked& asked) {
   std::optional<Observation> seen = explainer_.observe(asked);
   if (!seen) return;
+  // What comes a second time counts where it shows something else.
+  const bool is_known = std::ranges::any_of(found_.programs, [&](const Observation& one) {
+    return one.id == seen->id && one.departs() == seen->departs();
+  });
+  if (is_known) return;
   if (seen->departs()) ++found_.departures;
   found_.programs.push_back(*std::move(seen));
   try_causes(found_.programs.back());
@@ -147,14 +152,20 @@ struct Programs {
   std::vector<ProgramAsked> then;
 };
 
+// Of what the subject does not declare no mistake is told.
 Programs programs_like(const oracle::Corpus& corpus, const Observation& seen,
-                       const AttributionOptions& options) {
+                       const oracle::SubjectInfo& info, const AttributionOptions& options) {
   const Motions codes = codes_that_matter(seen);
   std::vector<ProgramAsked> alike;
   std::vector<ProgramAsked> others;
   oracle::CaseReader reader(corpus, oracle::Detail::to_run, {seen.profile.dialect});
   while (const auto test = reader.next()) {
     if (test->id == seen.id || test->program.size() > kMostBytes) continue;
+    const bool is_declared = info.dialects.empty() ||
+                             std::ranges::all_of(test->features, [&](const std::string& feature) {
+                               return info.declares(test->dialect, feature);
+                             });
+    if (!is_declared) continue;
     const ProgramText program(test->profile, test->program);
     const bool like = std::ranges::any_of(program.blocks, [&](const TextBlock& block) {
       return codes.contains(block.modes.code_name());
@@ -175,7 +186,7 @@ Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
   attributor.observe(asked);
   Observation seed{asked.id, asked.program, asked.profile, {}, {}, 0, {}, {}};
   if (!attributor.programs().empty()) seed = attributor.programs().front();
-  const Programs programs = programs_like(corpus, seed, options);
+  const Programs programs = programs_like(corpus, seed, subject.info(), options);
   for (const ProgramAsked& other : programs.first) attributor.observe(other);
   // What is left over from program to program shows the second time only.
   attributor.observe(asked);
