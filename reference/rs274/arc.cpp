@@ -258,7 +258,8 @@ void run_arc(BlockContext& block, int sense) {
                                       : "NGC-ARC-02"_clause;
   const Number rise = to[axes.d] - block.machine.position[axes.d];
   Record record = block.arc_to(clause, named, to, geometry::pair(*centre), sense * *turns);
-  if (is_inverse_time && block.words.has('F')) {
+  // An arc that alarms may have no radius, and no way.
+  if (is_inverse_time && block.words.has('F') && block.out.alarms.empty()) {
     record.feed = block.words.written('F') * way_along(arc, *centre, *turns, rise);
   }
   block.put(std::move(record));

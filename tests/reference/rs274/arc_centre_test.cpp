@@ -37,6 +37,9 @@ TEST(NgcArcCentre, AnEndInTheCentreHasNoRadius) {
   EXPECT_EQ(outcome("G2 X0.0015 I0.0015", ngc({{"ngc.arc-tolerance", "linuxcnc"}})),
             "alarm b2 arc-radius");
   EXPECT_EQ(outcome("G2 X0.002 I0.001", ngc({{"ngc.arc-tolerance", "nist"}})), kDone);
+  // Nor has it a way, which F of inverse time would count.
+  EXPECT_EQ(outcome("G93 G2 X0.002 I0.002 F1"), "alarm b2 arc-radius");
+  EXPECT_EQ(outcome("G93 G2 I0 F1"), "alarm b2 arc-radius");
 }
 
 // Half a turn about (r, 0) from the origin: the radii are r and x - r.
