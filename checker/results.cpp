@@ -143,7 +143,7 @@ void ResultsFile::check_footer() {
 
 namespace {
 
-// Of fifty fresh programs of a dialect or more, fewer than a tenth were judged.
+// Fewer than a tenth were judged of fifty fresh programs of a dialect or more.
 bool answers_by_heart(const Json& footer) {
   const Json* fresh = footer.find("fresh");
   if (fresh == nullptr) return false;

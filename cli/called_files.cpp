@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <deque>
 #include <filesystem>
@@ -31,7 +32,7 @@ struct StoredText {
 // What is called and what is defined, so far.
 class Labels {
  public:
-  // Of a line: its O word, where it has one.
+  // The O word of the line, where it has one.
   std::optional<ControlKind> read(std::string_view line) {
     const std::string_view block =
         line.substr(std::min(line.find_first_not_of(" \t/"), line.size()));
@@ -45,8 +46,7 @@ class Labels {
     }
     const grammar::Control& control = *block_.control;
     if (control.kind == ControlKind::sub) defined_.insert(control.label);
-    if (control.kind == ControlKind::call && !control.label.empty())
-      calls_.push_back(control.label);
+    if (control.kind == ControlKind::call) calls_.push_back(control.label);
     return control.kind;
   }
   // The next label that is called and stands nowhere yet; empty: none.
@@ -81,10 +81,13 @@ void read_lines(std::string_view text, Labels& labels, StoredText* kept) {
   if (kept != nullptr) kept->lines.resize(end);
 }
 
-// "<name>" or "100".
-fs::path file_of(const fs::path& folder, const std::string& label) {
-  const bool is_name = label.starts_with('<');
-  return folder / ((is_name ? label.substr(1, label.size() - 2) : label) + ".ngc");
+// The file of "<name>" or "100"; empty for a label that names none in the folder.
+fs::path file_of(const fs::path& folder, std::string_view label) {
+  if (label.starts_with('<')) label = label.substr(1, label.size() - 2);
+  const bool is_plain = !label.empty() && std::ranges::all_of(label, [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+  });
+  return is_plain ? folder / (std::string(label) + ".ngc") : fs::path();
 }
 
 // The text up to a last % that closes it.

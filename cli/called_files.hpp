@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Subroutines of rs274 in files of their own, as LinuxCNC finds them: o<name> call is answered by
-// the file name.ngc beside the program (NGC-OWD-08).
+// the file name.ngc beside the program (NGC-OWD-10).
 #pragma once
 
 #include <string>

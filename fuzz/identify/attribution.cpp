@@ -152,7 +152,7 @@ struct Programs {
   std::vector<ProgramAsked> then;
 };
 
-// Of what the subject does not declare no mistake is told.
+// Programs with what the subject does not declare tell no mistake.
 Programs programs_like(const oracle::Corpus& corpus, const Observation& seen,
                        const oracle::SubjectInfo& info, const AttributionOptions& options) {
   const Motions codes = codes_that_matter(seen);
