@@ -142,6 +142,10 @@ inline constexpr std::size_t kMostTries = 24;
 inline constexpr std::size_t kMostShapes = 2'000;
 // halvings | in a proof of the order of a level | R9
 inline constexpr int kMostHalvings = 40;
+// levels | that are kept with their verdicts, of no more motions than the next number | -
+inline constexpr std::size_t kLevelsKept = 16;
+// motions | of a level that is kept | -
+inline constexpr std::size_t kMostOfKept = 2'000;
 // cells | of a grid along an axis | -
 inline constexpr int kMostCells = 1'024;
 // of the tolerance | parts into which a spiral's radius is cut, first and again | R8

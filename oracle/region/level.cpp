@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/level.hpp"
 
+#include <algorithm>
+#include <deque>
 #include <utility>
 
+#include "oracle/region/constants.hpp"
 #include "oracle/region/judge.hpp"
 #include "oracle/region/rules.hpp"
 
@@ -24,6 +27,40 @@ bool is_sound(const RoundedRectangle& shape) {
 bool is_sound(const CommonLevel& terms) {
   return terms.tool_radius.sign() > 0 && terms.tolerance.sign() > 0 && terms.chord.sign() >= 0;
 }
+
+// The levels that were judged last. The ways to read a program and a trace that are followed at
+// once come to the same level one after the other, up to kMaximumAssignments of them.
+template <class Level>
+class JudgedLately {
+ public:
+  LevelVerdict judge(const Level& level, std::span<const LevelMotion> motions) {
+    for (const Judged& one : judged_) {
+      if (is_same(one, level, motions)) return one.verdict;
+    }
+    LevelVerdict verdict = judge_level_by(Method::filter_first, level, motions);
+    if (motions.size() > kMostOfKept) return verdict;
+    if (judged_.size() == kLevelsKept) judged_.pop_front();
+    judged_.push_back({level, {motions.begin(), motions.end()}, verdict});
+    return verdict;
+  }
+
+ private:
+  struct Judged {
+    Level level;
+    std::vector<LevelMotion> motions;
+    LevelVerdict verdict;
+  };
+  // Numbers that no comparison decides are not the same.
+  static bool is_same(const Judged& one, const Level& level, std::span<const LevelMotion> motions) {
+    try {
+      return std::ranges::equal(one.motions, motions) && one.level == level;
+    } catch (const exact::Undecided&) {
+      return false;
+    }
+  }
+
+  std::deque<Judged> judged_;
+};
 
 }  // namespace
 
@@ -55,11 +92,13 @@ LevelVerdict judge_level_by(Method method, const RectangularLevel& level,
 }
 
 LevelVerdict judge_level(const CircularLevel& level, std::span<const LevelMotion> motions) {
-  return judge_level_by(Method::filter_first, level, motions);
+  thread_local JudgedLately<CircularLevel> lately;
+  return lately.judge(level, motions);
 }
 
 LevelVerdict judge_level(const RectangularLevel& level, std::span<const LevelMotion> motions) {
-  return judge_level_by(Method::filter_first, level, motions);
+  thread_local JudgedLately<RectangularLevel> lately;
+  return lately.judge(level, motions);
 }
 
 }  // namespace gonogo::oracle::region

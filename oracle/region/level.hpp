@@ -50,6 +50,8 @@ struct LevelMotion {
   PlanePoint centre;       // arcs
   int rot = 0;             // arcs: sign = sense (+ counterclockwise), |rot| - 1 whole turns first
   std::size_t record = 0;  // which record of the subject, for the finding
+
+  friend bool operator==(const LevelMotion&, const LevelMotion&) = default;
 };
 inline bool same_cut(const LevelMotion& a, const LevelMotion& b) {
   return a.is_arc == b.is_arc && a.rot == b.rot && a.from == b.from && a.to == b.to &&
@@ -63,6 +65,8 @@ struct RoundedRectangle {
   Number core_p;  // half the core's sides, >= 0
   Number core_q;
   Number radius;  // of the disc, >= 0
+
+  friend bool operator==(const RoundedRectangle&, const RoundedRectangle&) = default;
 };
 
 // From half the length and half the width. REQUIRES: 0 <= corner_radius <= both.
@@ -75,6 +79,8 @@ RoundedRectangle rounded_rectangle(const Number& half_length, const Number& half
 struct OpenTurns {
   Number within;
   bool is_ambiguous = false;
+
+  friend bool operator==(const OpenTurns&, const OpenTurns&) = default;
 };
 
 // What the levels of all pockets have.
@@ -85,6 +91,8 @@ struct CommonLevel {
   Number tolerance;                          // > 0
   Number chord = {};                         // >= 0; 0: no chords of arcs are granted
   std::optional<OpenTurns> open_turns = {};  // none: within the tolerance
+
+  friend bool operator==(const CommonLevel&, const CommonLevel&) = default;
 };
 
 // What a level of a circular pocket (GSK G110/G111) must satisfy.
@@ -102,6 +110,8 @@ struct CircularLevel : CommonLevel {
   PlanePoint centre;
   Number pocket_radius;  // > tool_radius
   Number step;           // 0 < step < 2 * tool_radius
+
+  friend bool operator==(const CircularLevel&, const CircularLevel&) = default;
 };
 
 // What a level of a pocket with rounded corners (SINUMERIK LCYC75) must satisfy. The motions are in
@@ -122,6 +132,8 @@ struct RectangularLevel : CommonLevel {
   // rational rotation near the true one (frame.hpp). GO then holds with tolerance - slack, NO-GO
   // with tolerance + slack; what lies between is a gap. 0 <= slack < tolerance.
   Number slack;
+
+  friend bool operator==(const RectangularLevel&, const RectangularLevel&) = default;
 };
 
 enum class Rule { gouge, cover, step, sense, order };

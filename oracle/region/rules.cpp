@@ -102,7 +102,7 @@ class LevelJudge {
   void clear_with(Arc arc, bool counterclockwise);
   void clear_with(const Line& line);
   void clear_with_ends(const LevelMotion& motion);
-  void doubt(GapReason reason, std::string why) {
+  void leave_undecided(GapReason reason, std::string why) {
     if (!doubt_) doubt_ = gap(reason, std::move(why));
   }
 
@@ -201,7 +201,7 @@ std::optional<LevelVerdict> LevelJudge::first_against(const Answer& answer_of, c
   for (const LevelMotion& motion : motions_) {
     if (!has_sense(motion, terms_.turns.within)) continue;
     const Against answer = answer_of(motion);
-    if (answer == Against::undecided) doubt(GapReason::comparison, open);
+    if (answer == Against::undecided) leave_undecided(GapReason::comparison, open);
     if (answer == Against::yes) return against_sense(motion);
   }
   return std::nullopt;
@@ -253,7 +253,7 @@ std::optional<LevelVerdict> LevelJudge::sense_of_chords() {
   const ChordTurning turning =
       turning_of(motions_, chords_, terms_.sense, Number(kBlur) * terms_.tolerance);
   if (turning.kind == Turning::undecided)
-    doubt(GapReason::comparison, "Whether chords turn the wrong way is undecided.");
+    leave_undecided(GapReason::comparison, "Whether chords turn the wrong way is undecided.");
   if (turning.kind != Turning::against) return std::nullopt;
   return against_sense(motions_[turning.motion]);
 }
@@ -289,7 +289,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion,
     if (is_chord || terms_.by_border) clear_with(line);
   } else if (terms_.by_border) {
     if (motion.rot == 0 && !(motion.from == motion.to)) {
-      doubt(GapReason::unjudged_form, "An arc has no direction.");
+      leave_undecided(GapReason::unjudged_form, "An arc has no direction.");
     }
     clear_with_ends(motion);
   }
@@ -302,7 +302,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
   if (motion.from == motion.centre || motion.to == motion.centre) {
     // One that is as small as the tolerance came to it by rounding.
     if (!ends_agree(motion, terms_.tolerance)) {
-      doubt(GapReason::unjudged_form, "An arc begins or ends on its own centre.");
+      leave_undecided(GapReason::unjudged_form, "An arc begins or ends on its own centre.");
     } else if (auto verdict = gouge_of_ends(motion, terms_.tolerance)) {
       return verdict;
     }
@@ -351,7 +351,8 @@ Reach LevelJudge::reach_of(const Part& part, const Number& margin) const {
 
 std::optional<LevelVerdict> LevelJudge::within(const LevelMotion& motion, const Reach& reach) {
   if (reach.kind == Reach::Kind::undecided) {
-    doubt(GapReason::comparison, "Whether a motion stays within the pocket could not be decided.");
+    leave_undecided(GapReason::comparison,
+                    "Whether a motion stays within the pocket could not be decided.");
   }
   if (reach.kind != Reach::Kind::outside) return std::nullopt;
   return broken(Rule::gouge, motion.record, reach.witness + terms_.middle, reach.beyond);
@@ -362,8 +363,8 @@ std::optional<LevelVerdict> LevelJudge::order() {
   const Number half_side = border_.radius + terms_.tolerance + terms_.chord;
   const CutOrder order = sequence_->check(enclose(half_side).sup());
   if (order.kind == CutOrder::Kind::undecided) {
-    doubt(GapReason::comparison,
-          "Whether the level is cut from the centre outwards could not be decided.");
+    leave_undecided(GapReason::comparison,
+                    "Whether the level is cut from the centre outwards could not be decided.");
   }
   if (order.kind != CutOrder::Kind::broken) return std::nullopt;
   return broken(Rule::order, order.record, order.witness + terms_.middle,
@@ -420,7 +421,7 @@ std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle
   by_filter_ = by_filter_ && coverage.by_filter;
   if (coverage.kind == Coverage::Kind::covered) return std::nullopt;
   if (coverage.kind == Coverage::Kind::undecided) {
-    doubt(coverage.reason, coverage.why);
+    leave_undecided(coverage.reason, coverage.why);
     return std::nullopt;
   }
   // J-CMP-12
