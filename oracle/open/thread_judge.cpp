@@ -8,12 +8,12 @@ namespace gonogo::oracle {
 using reference::operator""_clause;
 
 ThreadJudge::ThreadJudge(const reference::ThreadMilling& item, Path path, const Position& start,
-                         const Tolerances& terms, RunOutSet& run_outs)
+                         const Tolerances& tolerances, RunOutSet& run_outs)
     : item_(item),
       side_(static_cast<int>(path)),
-      terms_(terms),
+      tolerances_(tolerances),
       run_outs_(run_outs),
-      geometry_(item, terms),
+      geometry_(item, tolerances),
       axes_(reference::axes_of(item.plane)),
       passes_(item.passes()),
       turns_(reference::gsk988ta::turns_of(item)),
@@ -57,27 +57,27 @@ OpenStep::Exit ThreadJudge::exit(const Position& here) const {
   for (const Axis axis : {axes_.p, axes_.q, axes_.d}) at[axis] = here[axis];
   const std::array<Number, 2> shown = reference::gsk988ta::end_of_passes(item_);
   // Half the tolerance: as far as a correctly rounded position may lie.
-  const Number near = terms_.tolerance / 2;
+  const Number near = tolerances_.tolerance / 2;
   if (agree(here[axes_.p], shown[0], near) && agree(here[axes_.q], shown[1], near)) {
     at[axes_.p] = shown[0];
     at[axes_.q] = shown[1];
   }
-  if (agree(here[axes_.d], item_.r_plane, terms_.tolerance)) at[axes_.d] = item_.r_plane;
+  if (agree(here[axes_.d], item_.r_plane, tolerances_.tolerance)) at[axes_.d] = item_.r_plane;
   return {at, true};
 }
 
 OpenStepAnswer ThreadJudge::take(const Motion& motion) {
   waits_ = false;
-  if (passes_ > 1 && agree(item_.r_plane, item_.bottom, terms_.tolerance)) {
+  if (passes_ > 1 && agree(item_.r_plane, item_.bottom, tolerances_.tolerance)) {
     return OpenStepAnswer::gap(
         GapReason::two_readings,
         "The passes of a thread that is no deeper than the tolerance cannot be told apart.");
   }
-  if (terms_.compare_blocks && motion.record.block != item_.block) {
+  if (tolerances_.compare_blocks && motion.record.block != item_.block) {
     if (complete()) return OpenStepAnswer::end(motion.from);
     return OpenStepAnswer::decide(incomplete(motion.from));
   }
-  if (turns_rotary_axis(start_, motion.to(), terms_.tolerance)) {
+  if (turns_rotary_axis(start_, motion.to(), tolerances_.tolerance)) {
     return fault(VerdictKind::fail_geometry, item_.clause, motion,
                  "A rotary axis moves in a thread.");
   }
@@ -92,7 +92,7 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
   OpenStepAnswer answer = take_by_phase(motion);
   if (answer.kind != OpenStepAnswer::Kind::taken) return answer;
   if (is_cut(motion.record.kind) &&
-      !feeds_agree(item_.feed, item_.feed_mode, motion.record, terms_)) {
+      !feeds_agree(item_.feed, item_.feed_mode, motion.record, tolerances_)) {
     return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
                  "The feed of the thread differs.");
   }
@@ -139,7 +139,7 @@ OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
     if (!open_->empty()) return {};
     // The last piece of an infeed that came within the tolerance of its end before.
     const bool nothing =
-        agree(motion.from, motion.to(), terms_.tolerance) && !nearly_full_turn(motion);
+        agree(motion.from, motion.to(), tolerances_.tolerance) && !nearly_full_turn(motion);
     return nothing ? wait() : no_helix(motion, result);
   }
   switch (entry_.add(motion)) {
@@ -175,13 +175,13 @@ HelixShape ThreadJudge::shape() const {
 MatchResult ThreadJudge::match_helix(const Motion& motion) {
   if (phase_ == Phase::entry) {
     const HelixShape helix = shape();
-    if (std::optional<OpenStart> starts = starts_of_helix(helix, motion, terms_)) {
+    if (std::optional<OpenStart> starts = starts_of_helix(helix, motion, tolerances_)) {
       const bool named = !is_named() || starts->narrow({}, {helix.radius * side_, 0});
       std::optional<std::string> why;
       if (!is_named()) why = entry_.fault_before_helix(motion.from);
       if (why) {
         if (!entry_fault_) entry_fault_ = std::move(why);
-      } else if (named && !open_->add(helix, *std::move(starts), motion.from, terms_)) {
+      } else if (named && !open_->add(helix, *std::move(starts), motion.from, tolerances_)) {
         return MatchResult::undecided(GapReason::cap_ways,
                                       "The helix may have begun at too many points.");
       }
@@ -195,6 +195,7 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
     highest_ = height(motion.to());
     run_out_.emplace(geometry_, pass_, helix_.front(), to_end_, motion.to(),
                      allowed_run_outs(run_outs_), allowed_run_outs({}));
+    if (is_named() && !item_.external) run_out_->turn_with_helix();
     phase_ = Phase::run_out;
   }
   return result;

@@ -120,7 +120,8 @@ bool ThreadRunOutJudge::take_line(ThreadRunOut run_out, const Motion& flat) {
 // One arc in pieces, chords of one, or a straight line.
 bool ThreadRunOutJudge::take_polar(const Motion& flat) {
   if (flat.record.kind == RecordKind::arc) return take_arc(flat);
-  const bool chord = geometry_.terms().chord.sign() > 0 && !arc_ && chords_.size() < kMostMotions;
+  const bool chord =
+      geometry_.tolerances().chord.sign() > 0 && !arc_ && chords_.size() < kMostMotions;
   if (chord) chords_.push_back(near_rational(geometry_.from_axis(flat.to())));
   arc_departed_ = arc_departed_ || !chord;
   return take_line(ThreadRunOut::polar, flat) || chord;
@@ -130,6 +131,7 @@ bool ThreadRunOutJudge::take_arc(const Motion& arc) {
   const Record& record = arc.record;
   off_line_[place_of(ThreadRunOut::polar)] = true;
   if (chords_.size() > 1 || record.plane != geometry_.item().plane) arc_departed_ = true;
+  if (turns_with_helix_ && (record.rot < 0) != (geometry_.item().sense < 0)) arc_departed_ = true;
   if (!arc_) arc_ = record;
   swept_.add(approximate_turns(arc));
   const Number& apart = geometry_.loose_terms().tolerance;
@@ -160,8 +162,9 @@ RunOutSet ThreadRunOutJudge::ending_at(const Position& here) const {
     if (!left_.has(each)) continue;
     const bool by_chords =
         each == ThreadRunOut::polar && begun_ && !arc_ && off_line_[place_of(each)];
-    if (by_chords && !are_chords_of_an_arc(chords_, geometry_.terms().tolerance * 2,
-                                           geometry_.terms().tolerance + geometry_.terms().chord)) {
+    if (by_chords &&
+        !are_chords_of_an_arc(chords_, geometry_.tolerances().tolerance * 2,
+                              geometry_.tolerances().tolerance + geometry_.tolerances().chord)) {
       continue;
     }
     try {

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "oracle/motion/curve_follower.hpp"
-#include "oracle/open/open_helix.hpp"
 #include "oracle/motion/swept_turns.hpp"
+#include "oracle/open/open_helix.hpp"
 #include "oracle/open/thread_geometry.hpp"
 
 namespace gonogo::oracle {
@@ -49,6 +49,9 @@ class ThreadRunOutJudge {
                     const Similarity& to_end, const Position& from, const RunOutSet& allowed,
                     const RunOutSet& named);
   ThreadRunOutJudge(const ThreadRunOutJudge&) = delete;
+
+  // On the named path in a bore, where an arc that leaves the helix tangentially turns as it does.
+  void turn_with_helix() { turns_with_helix_ = true; }
 
   // A cut in the plane, without its height. False: it belongs to none of the run-outs.
   bool take(const Motion& flat);
@@ -93,7 +96,8 @@ class ThreadRunOutJudge {
   bool begun_ = false;
 
   struct Line {
-    Line(Motion motion, const Tolerances& terms) : want(std::move(motion)), match(want, terms) {}
+    Line(Motion motion, const Tolerances& tolerances)
+        : want(std::move(motion)), match(want, tolerances) {}
     Line(const Line&) = delete;
     Motion want;
     CurveFollower match;
@@ -105,6 +109,7 @@ class ThreadRunOutJudge {
   SweptTurns swept_;           // by all of them
   bool arc_departed_ = false;
   std::vector<PlaneVector> chords_;
+  bool turns_with_helix_ = false;
 };
 
 }  // namespace gonogo::oracle
