@@ -11,7 +11,8 @@ constexpr std::size_t kMostDeparting = 40;  // other programs that mistakes are 
 
 class Sharing {
  public:
-  Sharing(oracle::Subject& subject, const ExplanationTerms& terms) : explainer_(subject, terms) {}
+  Sharing(oracle::Subject& subject, const ExplanationOptions& options)
+      : explainer_(subject, options) {}
 
   void add_symptoms(std::span<const ProgramAsked> symptoms);
   void add_others(std::span<const ProgramAsked> others);
@@ -30,7 +31,8 @@ class Sharing {
   // Those that explain the first symptom that is open, the one that explains most first.
   std::vector<Candidate> candidates(const Variants& variants);
   bool keeps_passes(const Variant& variant);
-  // That of those which explain most symptoms that explains most other departures; null: none.
+  // That of those which explain most symptoms that explains most other departures; null: none, or
+  // one that explains a single symptom and nothing else.
   const Candidate* best_of(const std::vector<Candidate>& all);
   // Takes the symptoms of the first open one's cause away, or that symptom alone.
   void close_first();
@@ -87,7 +89,8 @@ bool Sharing::keeps_passes(const Variant& variant) {
       passing_, [&](const Observation& seen) { return explainer_.explains(variant, seen); });
 }
 
-// A smallest program may show too little: where every H is 1, "one too few" does as "ignored".
+// A smallest program may show too little: where every H is 1, "one too few" does as "ignored". What
+// explains that one alone, and none of the other programs that depart, is a coincidence.
 const Sharing::Candidate* Sharing::best_of(const std::vector<Candidate>& all) {
   const Candidate* best = nullptr;
   std::ptrdiff_t most = -1;
@@ -101,7 +104,8 @@ const Sharing::Candidate* Sharing::best_of(const std::vector<Candidate>& all) {
     if (explained > most) best = &candidate;
     most = std::max(most, explained);
   }
-  return best;
+  const bool is_alone = best != nullptr && best->explained.size() == 1 && most == 0;
+  return is_alone && !departing_.empty() ? nullptr : best;
 }
 
 void Sharing::close_first() {
@@ -132,16 +136,16 @@ SharedCauses Sharing::find() {
 
 SharedCauses find_shared_causes(oracle::Subject& subject, std::span<const ProgramAsked> symptoms,
                                 std::span<const ProgramAsked> others,
-                                const ExplanationTerms& terms) {
-  Sharing sharing(subject, terms);
+                                const ExplanationOptions& options) {
+  Sharing sharing(subject, options);
   sharing.add_symptoms(symptoms);
   sharing.add_others(others);
   return sharing.find();
 }
 
 std::string known_cause(oracle::Subject& subject, const ProgramAsked& symptom,
-                        const std::set<std::string>& names, const ExplanationTerms& terms) {
-  Explainer explainer(subject, terms);
+                        const std::set<std::string>& names, const ExplanationOptions& options) {
+  Explainer explainer(subject, options);
   const std::optional<Observation> seen = explainer.observe(symptom);
   if (!seen || !seen->departs()) return {};
   for (const Variant& variant : variants_for(*seen)) {

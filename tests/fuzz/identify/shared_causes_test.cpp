@@ -58,8 +58,8 @@ struct Sorted {
 Sorted sorted(oracle::Subject& subject, std::initializer_list<const char*> cycles) {
   constexpr std::size_t kMostSymptoms = 60;
   Sorted programs;
-  ExplanationTerms terms;
-  Explainer explainer(subject, terms);
+  ExplanationOptions options;
+  Explainer explainer(subject, options);
   oracle::CaseReader reader(checked_in_corpus(), oracle::Detail::to_run);
   while (const auto test = reader.next()) {
     const bool is_of = std::ranges::any_of(cycles, [&](const char* cycle) {
@@ -172,13 +172,25 @@ TEST(SharedCauses, OtherDeparturesTellMistakesApartThatASmallestProgramDoesNot) 
   EXPECT_EQ(told, std::vector<std::string>{"H counts one too few"});
 }
 
+// What explains one program and no other that departs may be a coincidence.
+TEST(SharedCauses, OneProgramAloneHasNoneWhereOthersDepartToo) {
+  Displaced subject;
+  const Profile machine = testing::default_machine("rs274");
+  const std::vector<ProgramAsked> symptoms = {
+      {"centre", "F100\nG2 X10 Y0 I5 J3\nG2 X0 Y0 I-5 J-3\nM2\n", machine}};
+  const std::vector<ProgramAsked> others = {
+      {"displaced", "F100\nG4 P1\nG1 X10\nX20 Y5\nX40\nM2\n", machine}};
+  EXPECT_EQ(find_shared_causes(subject, symptoms, {}, {}).causes.size(), 1U);
+  EXPECT_EQ(names(find_shared_causes(subject, symptoms, others, {})), std::vector<std::string>{});
+}
+
 TEST(SharedCauses, AreNotNamedWithMoreRecordsThanTheyMayTake) {
   const auto subject = builtin("ngc", "offsets-absolute");
   const Sorted programs = sorted(*subject, {"arc"});
-  ExplanationTerms terms;
-  terms.most_records = 100;
+  ExplanationOptions options;
+  options.most_records = 100;
   const SharedCauses found =
-      find_shared_causes(*subject, programs.symptoms, programs.others, terms);
+      find_shared_causes(*subject, programs.symptoms, programs.others, options);
   EXPECT_TRUE(found.given_up);
   EXPECT_TRUE(found.causes.empty());
 }
