@@ -17,9 +17,10 @@ set(CMAKE_C_FLAGS_FUZZ "-O2 -gline-tables-only" CACHE STRING "Flags of the Fuzz 
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 
 # The headers of the standard library, of Boost and of CGAL cost far more than our own text. Names in
-# anonymous namespaces are therefore distinct within a target.
+# anonymous namespaces are therefore distinct within a target. A file that is changed costs those with
+# which it is compiled: fewer where people work, more where all is built from clean.
 set(CMAKE_UNITY_BUILD ${GONOGO_UNITY})
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 40)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE ${GONOGO_UNITY_FILES})
 
 # g++ looks for what it no longer needs whenever it has grown by a third, a tenth of its time; up to
 # this many kB it does not.
