@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 using grammar::ControlKind;
 
 constexpr std::size_t kMostFiles = 100;
-constexpr auto kMostBytes = static_cast<std::size_t>(kMostWithCalls);
 
 struct StoredText {
   std::vector<std::string> lines;  // from the first `sub` to the last `endsub`
@@ -98,13 +97,8 @@ std::string_view without_closing_mark(std::string_view text) {
   return closes ? text.substr(0, last) : text;
 }
 
-}  // namespace
-
-CalledFiles with_called_files(const std::string& path, std::string_view program) {
-  CalledFiles called;
-  Labels labels;
-  read_lines(program, labels, nullptr);
-  const std::string_view head = without_closing_mark(program);
+// The subroutines that stand in files of their own, in the order of their calls.
+std::string text_behind(const std::string& path, std::string_view head, Labels& labels) {
   std::string behind;
   auto line = static_cast<std::size_t>(std::ranges::count(head, '\n'));
   if (!head.ends_with('\n')) ++line;
@@ -114,28 +108,28 @@ CalledFiles with_called_files(const std::string& path, std::string_view program)
     std::error_code fault;
     if (!fs::is_regular_file(file, fault) || ++files > kMostFiles) continue;
     StoredText text;
-    read_lines(read_file(file.string(), kNcProgram, kMostBytes), labels, &text);
+    read_lines(read_file(file.string(), kNcProgram, kMostWithCalls), labels, &text);
     if (text.lines.empty()) continue;
     for (const std::string& one : text.lines) behind += one + '\n';
-    called.notes += fmt::format(
-        "o{} stands in {}: lines {} to {} there are lines {} to {} here.\n", label, file.string(),
-        text.first, text.first + text.lines.size() - 1, line + 1, line + text.lines.size());
+    fmt::print(stderr, "o{} stands in {}: lines {} to {} there are lines {} to {} here.\n", label,
+               file.string(), text.first, text.first + text.lines.size() - 1, line + 1,
+               line + text.lines.size());
     line += text.lines.size();
   }
-  if (behind.empty()) return called;
-  called.program = head;
-  if (!head.ends_with('\n')) called.program += '\n';
-  called.program += behind;
-  called.program += program.substr(head.size());
-  return called;
+  return behind;
 }
 
-void add_called_files(const std::string& path, std::string& program) {
-  if (program.size() > kMostBytes) return;
-  CalledFiles called = with_called_files(path, program);
-  if (called.program.empty()) return;
-  std::fputs(called.notes.c_str(), stderr);
-  program = std::move(called.program);
+}  // namespace
+
+bool add_called_files(const std::string& dialect, const std::string& path, std::string& program) {
+  if (dialect != "rs274" || program.size() > kMostWithCalls) return false;
+  Labels labels;
+  read_lines(program, labels, nullptr);
+  const std::string_view head = without_closing_mark(program);
+  const std::string behind = text_behind(path, head, labels);
+  if (behind.empty()) return false;
+  program.insert(head.size(), (head.ends_with('\n') ? "" : "\n") + behind);
+  return true;
 }
 
 }  // namespace gonogo::cli

@@ -79,67 +79,61 @@ ProgramFile::~ProgramFile() {
   if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
 }
 
-void ProgramFile::keep() {
-  constexpr std::size_t kMostCopied = std::size_t{1} << 30;
-  if (size_ < 0) {
-    std::FILE* const copy = std::tmpfile();
-    bool copied = copy != nullptr;
-    std::array<char, 1 << 16> chunk;
-    std::size_t size = 0;
-    while (std::size_t count = copied ? bytes_->read(chunk.data(), chunk.size()) : 0) {
-      size += count;
-      if (size > kMostCopied) {
-        std::fclose(copy);
-        throw UsageError(fmt::format("{} does not end within {} bytes. Name a file instead.", name_,
-                                     kMostCopied));
-      }
-      copied = std::fwrite(chunk.data(), 1, count, copy) == count;
-    }
-    copied = copied && std::fflush(copy) == 0;
-    if (copied) descriptor_ = ::dup(::fileno(copy));
-    const int fault = errno;
-    if (copy != nullptr) std::fclose(copy);
-    if (!copied || descriptor_ < 0) {
+void ProgramFile::read_copy_of(grammar::ByteSource& bytes) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(std::tmpfile(), std::fclose);
+  bool copied = copy != nullptr;
+  std::array<char, 1 << 16> chunk;
+  std::size_t size = 0;
+  while (std::size_t count = copied ? bytes.read(chunk.data(), chunk.size()) : 0) {
+    size += count;
+    if (size > kMostBytes) {
       throw UsageError(
-          fmt::format("{} cannot be kept in a temporary file: {}. Name a file instead.", name_,
-                      std::strerror(fault)));
+          fmt::format("{} does not end within {} bytes. Name a file instead.", name_, kMostBytes));
     }
+    copied = std::fwrite(chunk.data(), 1, count, copy.get()) == count;
   }
+  const int descriptor = copied && std::fflush(copy.get()) == 0 ? ::dup(::fileno(copy.get())) : -1;
+  if (descriptor < 0) {
+    throw UsageError(
+        fmt::format("{} cannot be kept in a temporary file: {}.", name_, std::strerror(errno)));
+  }
+  if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
+  descriptor_ = descriptor;
+  size_ = static_cast<long long>(size);
   bytes_ = std::make_unique<grammar::FileSource>(descriptor_);
 }
 
-void ProgramFile::add_called_files() {
-  if (size_ <= 0 || size_ > kMostWithCalls) return;
-  const std::string alone = read_file(name_);
-  std::string program = alone;
-  cli::add_called_files(name_, program);
-  if (program == alone) return;
-  std::FILE* const whole = std::tmpfile();
-  const bool written = whole != nullptr &&
-                       std::fwrite(program.data(), 1, program.size(), whole) == program.size() &&
-                       std::fflush(whole) == 0;
-  const int descriptor = written ? ::dup(::fileno(whole)) : -1;
-  const int fault = errno;
-  if (whole != nullptr) std::fclose(whole);
-  if (descriptor < 0) {
-    throw UsageError(fmt::format("{} and its subroutines cannot be kept in a temporary file: {}.",
-                                 name_, std::strerror(fault)));
+void ProgramFile::keep() {
+  if (size_ < 0) {
+    read_copy_of(*bytes_);
+  } else {
+    bytes_ = std::make_unique<grammar::FileSource>(descriptor_);
   }
-  ::close(descriptor_);
-  descriptor_ = descriptor;
-  bytes_ = std::make_unique<grammar::FileSource>(descriptor_);
+}
+
+void ProgramFile::add_called_files(const std::string& dialect) {
+  if (size_ > static_cast<long long>(kMostWithCalls)) return;
+  grammar::FileSource alone(descriptor_);
+  std::string program = text_of(alone, name_);
+  if (!cli::add_called_files(dialect, name_, program)) return;
+  grammar::MemorySource whole(program);
+  read_copy_of(whole);
+}
+
+std::string text_of(grammar::ByteSource& bytes, const std::string& name, std::size_t limit) {
+  std::string text;
+  std::array<char, 1 << 16> chunk;
+  while (std::size_t count = bytes.read(chunk.data(), chunk.size())) {
+    text.append(chunk.data(), count);
+    if (text.size() > limit)
+      throw UsageError(fmt::format("{} is larger than {} bytes.", name, limit));
+  }
+  return text;
 }
 
 std::string read_file(const std::string& path, const char* kind, std::size_t limit) {
   ProgramFile file(path, kind);
-  std::string text;
-  std::array<char, 1 << 16> chunk;
-  while (std::size_t count = file.bytes().read(chunk.data(), chunk.size())) {
-    text.append(chunk.data(), count);
-    if (text.size() > limit)
-      throw UsageError(fmt::format("{} is larger than {} bytes.", path, limit));
-  }
-  return text;
+  return text_of(file.bytes(), path, limit);
 }
 
 namespace {

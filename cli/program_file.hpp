@@ -46,10 +46,13 @@ class ProgramFile {
   void keep();
   // The program with the subroutines that stand in files beside it (cli/called_files.hpp). Tells
   // the user which. REQUIRES: keep() was called.
-  void add_called_files();
+  void add_called_files(const std::string& dialect);
   int descriptor() const { return descriptor_; }
 
  private:
+  // Reads from a temporary file with all of `bytes` from here on. Throws UsageError.
+  void read_copy_of(grammar::ByteSource& bytes);
+
   std::string name_;
   int descriptor_ = -1;
   long long size_ = -1;
@@ -62,7 +65,7 @@ class StoredFile {
   explicit StoredFile(const std::string& path, const char* kind = kNcProgram) : file_(path, kind) {
     file_.keep();
   }
-  void add_called_files() { file_.add_called_files(); }
+  void add_called_files(const std::string& dialect) { file_.add_called_files(dialect); }
   // For grammar::FileSource.
   int descriptor() const { return file_.descriptor(); }
 
@@ -70,9 +73,12 @@ class StoredFile {
   ProgramFile file_;
 };
 
-// The whole file, at most `limit` bytes.
+inline constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+// All of `bytes`. Throws UsageError, with the name, where there are more than `limit`.
+std::string text_of(grammar::ByteSource& bytes, const std::string& name,
+                    std::size_t limit = kMostBytes);
 std::string read_file(const std::string& path, const char* kind = kNcProgram,
-                      std::size_t limit = std::size_t{1} << 30);
+                      std::size_t limit = kMostBytes);
 
 // What the options --dialect, --profile and --reading say together.
 struct ProfileOptions {

@@ -39,10 +39,10 @@ void warn_about_empty_program(const ProgramFile& file) {
 // change.
 class Expansion {
  public:
-  Expansion(const ExpandOptions& options, ProgramFile& file)
+  Expansion(const ExpandOptions& options, reference::Profile profile, ProgramFile& file)
       : file_(file),
         program_(oracle::ProgramText::of_file(file.descriptor())),
-        profile_(load_profile(options.profile)),
+        profile_(std::move(profile)),
         open_(profile_),
         is_settled_(!open_.leaves_open()),
         has_places_(options.format == "svg"),
@@ -141,8 +141,9 @@ int expand(const ExpandOptions& options) {
   ProgramFile file(options.program);
   warn_about_empty_program(file);
   file.keep();
-  if (load_profile(options.profile).dialect == "rs274") file.add_called_files();
-  return Expansion(options, file).run();
+  reference::Profile profile = load_profile(options.profile);
+  file.add_called_files(profile.dialect);
+  return Expansion(options, std::move(profile), file).run();
 }
 
 }  // namespace
