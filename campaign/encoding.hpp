@@ -15,9 +15,9 @@ inline nlohmann::ordered_json program_json(std::string_view program) {
   return {{"base64", base64(program)}};
 }
 
-// JSON on one line, with U+FFFD for bytes that are not UTF-8.
-inline std::string dump(const nlohmann::ordered_json& value) {
-  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+// JSON with U+FFFD for bytes that are not UTF-8: on one line, or a line a member, indented.
+inline std::string dump(const nlohmann::ordered_json& value, int indent = -1) {
+  return value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace gonogo::oracle

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "campaign/encoding.hpp"
 #include "corpus/io/files.hpp"
 #include "corpus/io/sha256.hpp"
 #include "fuzz/hunt/campaign_json.hpp"
@@ -132,8 +133,7 @@ void write_campaign_state(const std::string& folder, const CampaignState& state)
                      {"findings", findings},
                      {"inputs", state.inputs}};
   fs::create_directories(folder);
-  oracle::write_file(state_file(folder),
-                     json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  oracle::write_file(state_file(folder), oracle::dump(json, 1) + "\n");
 }
 
 std::vector<generate::GeneratedProgram> read_inputs(const std::string& folder,

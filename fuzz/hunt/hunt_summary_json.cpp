@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "campaign/encoding.hpp"
 #include "corpus/io/files.hpp"
 #include "fuzz/hunt/campaign_json.hpp"
 #include "fuzz/hunt/hunt_summary.hpp"
@@ -60,8 +61,7 @@ void write_campaign_summary(const std::string& folder, const HuntSummary& summar
                      {"features", features_json(summary.features)},
                      {"left_out", summary.left_out},
                      {"findings", findings}};
-  oracle::write_file(summary_file(folder),
-                     json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  oracle::write_file(summary_file(folder), oracle::dump(json, 1) + "\n");
 }
 
 KnownCauses read_known_causes(const std::string& folder) try {

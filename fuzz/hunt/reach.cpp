@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "campaign/encoding.hpp"
 #include "fuzz/program/features.hpp"
 #include "reference/dialect.hpp"
 
@@ -168,7 +169,7 @@ std::string Reach::json(const std::string& subject) const {
                       {"features", share_json(share_of(features_))}}},
                     {"clauses", std::move(clauses)},
                     {"features", std::move(features)}};
-  return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return oracle::dump(all, 1) + "\n";
 }
 
 }  // namespace gonogo::hunt

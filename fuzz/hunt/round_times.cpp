@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/hunt/round_times.hpp"
+
+#include "campaign/encoding.hpp"
 #include "oracle/records/input_file.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +42,7 @@ void append_round_time(const std::string& folder, const RoundTime& time) {
                      {"programs", time.programs}};
   const bool is_torn = ends_within_a_line(file_in(folder));
   std::ofstream out(file_in(folder), std::ios::binary | std::ios::app);
-  out << (is_torn ? "\n" : "") + line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  out << (is_torn ? "\n" : "") + oracle::dump(line) + "\n";
   out.flush();
   if (!out) throw std::system_error(errno, std::generic_category(), file_in(folder));
 }

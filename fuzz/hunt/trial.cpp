@@ -44,21 +44,21 @@ oracle::RunEnd Trial::run_once(oracle::Subject& subject, const generate::Generat
   return end;
 }
 
-oracle::Tolerances Trial::terms_for(const oracle::Subject& subject,
-                                    const reference::Profile& profile) const {
-  oracle::Tolerances terms = make_tolerances(
+oracle::Tolerances Trial::tolerances_for(const oracle::Subject& subject,
+                                         const reference::Profile& profile) const {
+  oracle::Tolerances tolerances = make_tolerances(
       subject.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
-  terms.strict = options_.strict;
-  return terms;
+  tolerances.strict = options_.strict;
+  return tolerances;
 }
 
 std::optional<oracle::Verdict> Trial::judge(oracle::Subject& subject,
                                             const generate::GeneratedProgram& program,
                                             JudgedRun* judged) {
-  const oracle::Tolerances terms = terms_for(subject, program.profile);
+  const oracle::Tolerances tolerances = tolerances_for(subject, program.profile);
   oracle::Verdict verdict;
   try {
-    oracle::JudgeSession session(program.profile, program.text, terms);
+    oracle::JudgeSession session(program.profile, program.text, tolerances);
     bool too_long = false;
     moved_ = false;
     records_ = 0;
@@ -124,9 +124,10 @@ JudgedRun Trial::examine(const Reproducer& reproducer) {
   if (decision(judged.verdict.kind) == oracle::Decision::no_go && comparable &&
       judged.records.size() < kKeptRecords) {
     constexpr std::size_t kMostJudged = 200'000;
-    judged.verdict.reading = oracle::explaining_reading(
-        reproducer.program.profile, reproducer.program.text,
-        terms_for(subject, reproducer.program.profile), judged.records, judged.end, kMostJudged);
+    judged.verdict.reading =
+        oracle::explaining_reading(reproducer.program.profile, reproducer.program.text,
+                                   tolerances_for(subject, reproducer.program.profile),
+                                   judged.records, judged.end, kMostJudged);
   }
   second_.reset();
   return judged;

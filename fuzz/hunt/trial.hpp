@@ -63,8 +63,8 @@ class Trial {
   std::chrono::milliseconds run_limit() const { return options_.run_limit; }
 
  private:
-  oracle::Tolerances terms_for(const oracle::Subject& subject,
-                               const reference::Profile& profile) const;
+  oracle::Tolerances tolerances_for(const oracle::Subject& subject,
+                                    const reference::Profile& profile) const;
   std::optional<oracle::Verdict> judge(oracle::Subject& subject,
                                        const generate::GeneratedProgram& program,
                                        JudgedRun* judged);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "campaign/encoding.hpp"
 #include "campaign/known_failures.hpp"
 #include "campaign/results_reader.hpp"
 #include "capture/sample_reader.hpp"
@@ -68,8 +69,7 @@ std::string read_records(std::string_view file) {
 std::string results_in(std::string_view file, ResultsReader::Order order) {
   return answer_of<ResultsError>([&] {
     ResultsReader reader(scratch().put("results.jsonl", file), order);
-    std::string answer =
-        reader.header().dump(-1, ' ', false, ResultsReader::Json::error_handler_t::replace);
+    std::string answer = oracle::dump(reader.header());
     for (CaseHead head; reader.next(head);) answer += "\n" + head.id + " " + head.verdict;
     return answer + "\n" + reader.sha256() + (reader.footer() ? " whole" : " cut off");
   });

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMostFileBytes = 8'192;
 
 struct FileReader {
   std::string_view kind;
-  // What was read, or the error that the reader declares. Throws whatever else the reader throws.
+  // What was read, or the error that the reader declares. Throws what else the reader throws.
   std::string (*read)(std::string_view file);
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publish/evidence/badge.hpp"
 
+#include "campaign/encoding.hpp"
 #include "oracle/records/text.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
@@ -16,10 +17,10 @@ std::string badge_json(const RunState& state) {
   } else if (state.decision == "NO-GO") {
     colour = "red";
   }
-  return report::dump({{"schemaVersion", 1},
-                       {"label", "gonogo"},
-                       {"message", visible(report::text_of(headline, "short"))},
-                       {"color", colour}}) +
+  return dump({{"schemaVersion", 1},
+               {"label", "gonogo"},
+               {"message", visible(report::text_of(headline, "short"))},
+               {"color", colour}}) +
          "\n";
 }
 

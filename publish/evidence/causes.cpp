@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "campaign/encoding.hpp"
 #include "oracle/records/input_file.hpp"
 #include "oracle/records/output_file.hpp"
 #include "publish/report/json_value.hpp"
@@ -46,7 +47,7 @@ void write_causes(const std::filesystem::path& folder, const Causes& causes) {
                     {"evidence", cause.evidence}});
   }
   const Json file = {{"format", 1}, {"asked", causes.asked}, {"causes", list}};
-  write_file(folder / kCausesFile, file.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(folder / kCausesFile, dump(file, 1) + "\n");
 }
 
 }  // namespace gonogo::oracle::evidence

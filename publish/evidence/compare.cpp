@@ -7,14 +7,14 @@
 #include <array>
 #include <optional>
 
-#include "publish/evidence/compare_parts.hpp"
+#include "campaign/encoding.hpp"
 #include "oracle/records/text.hpp"
+#include "publish/evidence/compare_parts.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
 
-using report::dump;
 using report::text_of;
 
 namespace {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "campaign/encoding.hpp"
 #include "publish/evidence/compare_parts.hpp"
 #include "publish/evidence/run_state.hpp"
 #include "publish/report/case_paths.hpp"
@@ -96,8 +97,7 @@ void note_runs(const Sides& sides, RunsComparison& out) {
   }
   for (const HeaderPart& part : kHeaderParts) {
     std::vector<std::string> values;
-    for (const Json& header : out.headers)
-      values.push_back(report::dump(header_part(header, part)));
+    for (const Json& header : out.headers) values.push_back(dump(header_part(header, part)));
     if (std::ranges::count(values, values.front()) == std::ssize(values)) continue;
     out.notes.push_back(
         fmt::format("The runs differ in the {}: {}.", part.what, fmt::join(values, ", ")));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "campaign/encoding.hpp"
 #include "publish/evidence/compare_parts.hpp"
 #include "publish/evidence/run_state.hpp"
 #include "publish/evidence/text.hpp"
@@ -11,7 +12,6 @@
 
 namespace gonogo::oracle::evidence {
 
-using report::dump;
 using report::text_of;
 
 namespace {
@@ -124,7 +124,7 @@ std::string regressions_title(std::uint64_t regressions) {
 std::string json_document(Json root, const ComparedCases& cases) {
   root["first_new"] = cases.first_added;
   root["first_gone"] = cases.first_gone;
-  return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return dump(root, 1) + "\n";
 }
 
 std::string departure_words(const Json& part) {

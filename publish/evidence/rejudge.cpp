@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "campaign/encoding.hpp"
 #include "campaign/results_reader.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/records/trace_reader.hpp"
@@ -76,7 +77,7 @@ std::optional<Outcome> outcome_of(const Json& line, const CaseRow& row, VerdictK
     return true;
   };
   for (const Json& entry : trace) {
-    if (!take(report::dump(entry))) return std::nullopt;
+    if (!take(dump(entry))) return std::nullopt;
   }
   if (!departs_in_alarm(departure) || has_alarm) return outcome;
   // The alarm stands in what was got.
@@ -120,34 +121,34 @@ std::string difference(const Json& line, const CaseRow& row, const Verdict& now)
 
 }  // namespace
 
-RunTerms run_terms(const Json& header) {
-  RunTerms terms;
+RunTolerances run_tolerances(const Json& header) {
+  RunTolerances tolerances;
   const Json subject = header.value("subject", Json::object());
   const Json numeric = subject.value("numeric", Json::object());
-  terms.subject.name = text_of(subject, "name");
-  terms.subject.version = text_of(subject, "version");
+  tolerances.subject.name = text_of(subject, "name");
+  tolerances.subject.version = text_of(subject, "version");
   if (const std::string kind = text_of(numeric, "kind"); !kind.empty()) {
-    terms.subject.numeric_kind = kind;
-    terms.subject.says_numeric = true;
+    tolerances.subject.numeric_kind = kind;
+    tolerances.subject.says_numeric = true;
   }
-  terms.subject.resolution = number_of(numeric, "resolution");
-  terms.subject.feed_resolution = number_of(numeric, "feed_resolution");
-  terms.subject.chord = number_of(numeric, "chord");
-  terms.subject.recorded = text_of(subject, "spec").starts_with("capture:");
+  tolerances.subject.resolution = number_of(numeric, "resolution");
+  tolerances.subject.feed_resolution = number_of(numeric, "feed_resolution");
+  tolerances.subject.chord = number_of(numeric, "chord");
+  tolerances.subject.recorded = text_of(subject, "spec").starts_with("capture:");
   const Json dialects = subject.value("dialects", Json());
-  terms.subject.everything = !dialects.is_object();
+  tolerances.subject.everything = !dialects.is_object();
   if (dialects.is_object())
-    terms.subject.dialects = dialects.get<decltype(SubjectInfo::dialects)>();
+    tolerances.subject.dialects = dialects.get<decltype(SubjectInfo::dialects)>();
   for (const Json& feature : subject.value("features", Json::array())) {
-    if (feature.is_string()) terms.subject.features.insert(feature.get<std::string>());
+    if (feature.is_string()) tolerances.subject.features.insert(feature.get<std::string>());
   }
-  terms.grants = {number_of(header, "tolerance"), number_of(header, "chord"),
-                  number_of(header, "feed_resolution"),
-                  header.value("strict", Json(false)) == true};
-  return terms;
+  tolerances.grants = {number_of(header, "tolerance"), number_of(header, "chord"),
+                       number_of(header, "feed_resolution"),
+                       header.value("strict", Json(false)) == true};
+  return tolerances;
 }
 
-Rejudged rejudge(const Json& line, const RunTerms& terms) {
+Rejudged rejudge(const Json& line, const RunTolerances& tolerances) {
   const CaseRow row = case_row(line);
   const bool is_gap = row.kind == VerdictKind::oracle_gap;
   const VerdictKind departure =
@@ -163,9 +164,9 @@ Rejudged rejudge(const Json& line, const RunTerms& terms) {
   const auto outcome = outcome_of(line, row, departure);
   if (!outcome) return {};
   const auto& machine = std::get<reference::Profile>(profile);
-  const Tolerances judge_terms = make_tolerances(terms.subject, machine, terms.grants);
+  const Tolerances of_judge = make_tolerances(tolerances.subject, machine, tolerances.grants);
   const SessionVerdict now =
-      judge_outcome(machine, *row.program, judge_terms, outcome->records, outcome->end);
+      judge_outcome(machine, *row.program, of_judge, outcome->records, outcome->end);
   // How the run of a gap ended is unknown; a record that departs does so however it ended.
   const bool departs = now.verdict.record && decision(now.verdict.kind) == Decision::no_go;
   if (is_gap && now.verdict.kind != row.kind && !departs) return {};

@@ -14,18 +14,18 @@
 namespace gonogo::oracle::evidence {
 
 // What the header of a results file says of the tolerances of the run.
-struct RunTerms {
+struct RunTolerances {
   SubjectInfo subject;
   Grants grants;
 };
 // Throws ResultsError for a number that is none.
-RunTerms run_terms(const Json& header);
+RunTolerances run_tolerances(const Json& header);
 
 struct Rejudged {
   // Whether the line holds what it takes: not a crash, a state leak, a trace that was cut, ...
   bool judged = false;
   std::string fault;  // in what the answer now differs from the line, a sentence; empty: in nothing
 };
-Rejudged rejudge(const Json& line, const RunTerms& terms);
+Rejudged rejudge(const Json& line, const RunTolerances& tolerances);
 
 }  // namespace gonogo::oracle::evidence

@@ -5,6 +5,7 @@
 
 #include <cctype>
 
+#include "campaign/encoding.hpp"
 #include "corpus/io/sha256.hpp"
 #include "oracle/records/text.hpp"
 #include "publish/evidence/text.hpp"
@@ -17,7 +18,6 @@
 
 namespace gonogo::oracle::evidence {
 
-using report::dump;
 using report::text_of;
 
 namespace {

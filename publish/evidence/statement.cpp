@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "campaign/encoding.hpp"
 #include "oracle/records/fresh_counts.hpp"
 #include "publish/evidence/markdown.hpp"
 #include "publish/evidence/run_state.hpp"
@@ -16,7 +17,6 @@
 
 namespace gonogo::oracle::evidence {
 
-using report::dump;
 using report::text_of;
 
 namespace {
@@ -269,8 +269,7 @@ Statement make_statement(const std::string& results, const std::vector<std::stri
   const Json root = statement_json(
       reader.header(), state, waivers.json(),
       findings_json(findings, state.footer.value("totals", Json::object())), files, traces);
-  return {root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
-          statement_text(reader.header(), state, root)};
+  return {dump(root, 1) + "\n", statement_text(reader.header(), state, root)};
 }
 
 }  // namespace gonogo::oracle::evidence

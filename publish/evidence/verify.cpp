@@ -10,11 +10,13 @@
 #include <variant>
 
 #include "campaign/case_roll.hpp"
+#include "campaign/encoding.hpp"
 #include "campaign/known_failures.hpp"
 #include "campaign/results.hpp"
 #include "campaign/selection.hpp"
 #include "campaign/tally.hpp"
 #include "corpus/io/corpus.hpp"
+#include "oracle/records/fresh_counts.hpp"
 #include "publish/evidence/certificate_files.hpp"
 #include "publish/evidence/compare.hpp"
 #include "publish/evidence/statement.hpp"
@@ -22,7 +24,6 @@
 #include "publish/evidence/verify_cases.hpp"
 #include "publish/evidence/verify_header.hpp"
 #include "publish/evidence/verify_sums.hpp"
-#include "oracle/records/fresh_counts.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/command.hpp"
 #include "publish/report/json_value.hpp"
@@ -80,7 +81,7 @@ void check_footer(const ResultsFacts& facts, Findings& findings) {
   auto compare = [&](std::string_view what, const Json& told, const Json& own) {
     if (told == own) return;
     faults.push_back(fmt::format("The footer says {} {}, but the cases come to {}.", what,
-                                 report::dump(told), report::dump(own)));
+                                 dump(told), dump(own)));
   };
   const Json& footer = facts.footer;
   compare("totals", footer.value("totals", Json(nullptr)), Json(facts.answer.totals));
@@ -274,7 +275,7 @@ void check_cases(const fs::path& folder, const std::optional<Corpus>& corpus,
     const Json told = facts.footer.value(key, Json());
     if (told == own) continue;
     faults.push_back(fmt::format("The footer says {} {}, but corpus and header make it {}.", key,
-                                 report::dump(told), report::dump(own)));
+                                 dump(told), dump(own)));
   }
   findings.add_list(faults, fmt::format("Cases, profiles, features and expected gaps of {} lines "
                                         "are those of corpus and header.",
@@ -308,8 +309,8 @@ std::vector<Check> same_cases(const std::string& certified, const std::string& r
     const Comparison comparison = compare_results(certified, run_again);
     std::vector<std::string> faults;
     for (const ChangedCase& changed : comparison.changed) {
-      faults.push_back(fmt::format("{}: certified {}, now {}.", changed.id,
-                                   report::dump(changed.before), report::dump(changed.after)));
+      faults.push_back(fmt::format("{}: certified {}, now {}.", changed.id, dump(changed.before),
+                                   dump(changed.after)));
     }
     for (const std::string& id : comparison.first_gone) {
       if (is_fresh(id)) continue;  // is derived from its line, and only the corpus is run again

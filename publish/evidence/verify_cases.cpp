@@ -7,11 +7,12 @@
 #include <filesystem>
 #include <fstream>
 
+#include "campaign/encoding.hpp"
 #include "campaign/reading_tally.hpp"
-#include "publish/evidence/text.hpp"
 #include "oracle/records/input_file.hpp"
 #include "oracle/records/text.hpp"
 #include "oracle/records/trace_reader.hpp"
+#include "publish/evidence/text.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -56,10 +57,10 @@ std::string why_no_trace_tells(VerdictKind kind) {
 }
 
 SessionVerdict judge_trace(const std::string& path, const reference::Profile& profile,
-                           const std::string& program, const Tolerances& terms) {
+                           const std::string& program, const Tolerances& tolerances) {
   std::ifstream file = open_regular(path);
   file.exceptions(std::ios::badbit);  // what cannot be read is not the end of the trace
-  JudgeSession session(profile, program, terms);
+  JudgeSession session(profile, program, tolerances);
   TraceReader reader;
   RunEnd end;
   std::size_t number = 0;
@@ -95,14 +96,16 @@ std::string trace_fault(const Json& line, const CaseRow& row, const SessionVerdi
   if (was == explaining) return {};
   return fmt::format(
       "{}: the readings that explain it were {}, but derived from the trace they are {}.", row.id,
-      report::dump(was), report::dump(explaining));
+      dump(was), dump(explaining));
 }
 
 }  // namespace
 
 VerdictsAgain::VerdictsAgain(const Json& header, std::string traces,
                              std::vector<KnownFailure> waivers)
-    : terms_(run_terms(header)), traces_(std::move(traces)), waivers_(std::move(waivers)) {}
+    : tolerances_(run_tolerances(header)),
+      traces_(std::move(traces)),
+      waivers_(std::move(waivers)) {}
 
 std::string VerdictsAgain::path_of(const std::string& id) const {
   return (fs::path(traces_) / (id + ".jsonl")).string();
@@ -121,23 +124,23 @@ VerdictsAgain::Answer VerdictsAgain::answer_of(const Json& line, const CaseRow& 
   if (test != nullptr) {
     const bool is_skip = row.kind == VerdictKind::skip;
     for (const std::string& feature : test->features) {
-      if (terms_.subject.declares(test->dialect, feature)) continue;
+      if (tolerances_.subject.declares(test->dialect, feature)) continue;
       if (is_skip && text_of(line, "feature") == feature) return ++derived_[kFromHeader], Answer{};
       return {fmt::format("{}: the subject does not declare {} in {}: such a case is skipped.",
                           row.id, feature, test->dialect),
               {}};
     }
     if (is_skip) return of_skip(line, row, *test);
-    run_.try_emplace(test->dialect + report::dump(line.value("profile", Json::object())), row.id);
+    run_.try_emplace(test->dialect + dump(line.value("profile", Json::object())), row.id);
   }
   if (std::string why = why_no_trace_tells(told_kind(line, row)); !why.empty()) return {{}, why};
   if (test != nullptr && fs::exists(path_of(row.id))) {
     Answer answer = of_trace(line, row, *test);
     if (!answer.fault.empty() || !answer.not_derived.empty()) return answer;
     // What the line says of the departure besides is held against its own trace.
-    return {terms_.subject.recorded ? std::string() : rejudge(line, terms_).fault, {}};
+    return {tolerances_.subject.recorded ? std::string() : rejudge(line, tolerances_).fault, {}};
   }
-  const Rejudged again = terms_.subject.recorded ? Rejudged{} : rejudge(line, terms_);
+  const Rejudged again = tolerances_.subject.recorded ? Rejudged{} : rejudge(line, tolerances_);
   if (!again.fault.empty()) return {again.fault, {}};
   if (again.judged) return ++derived_[kFromLine], Answer{};
   return {{}, fmt::format("{} without a trace that would tell it", row.verdict())};
@@ -146,7 +149,7 @@ VerdictsAgain::Answer VerdictsAgain::answer_of(const Json& line, const CaseRow& 
 // Whether the subject may have skipped it (J-RUN-05).
 VerdictsAgain::Answer VerdictsAgain::of_skip(const Json& line, const CaseRow& row,
                                              const Case& test) {
-  const SubjectInfo& subject = terms_.subject;
+  const SubjectInfo& subject = tolerances_.subject;
   if (fs::exists(path_of(row.id))) {
     return {fmt::format("{}: it was skipped, but there is a trace of it.", row.id), {}};
   }
@@ -167,18 +170,19 @@ VerdictsAgain::Answer VerdictsAgain::of_skip(const Json& line, const CaseRow& ro
                     row.id),
         {}};
   }
-  refused_.try_emplace(test.dialect + report::dump(profile), row.id);
+  refused_.try_emplace(test.dialect + dump(profile), row.id);
   return {{}, "skip: only the subject can say whether it refuses the profile"};
 }
 
 VerdictsAgain::Answer VerdictsAgain::of_trace(const Json& line, const CaseRow& row,
                                               const Case& test) {
   // What stood before the programs of recorded output is not in the traces.
-  if (terms_.subject.recorded && decision(told_kind(line, row)) != Decision::go) {
+  if (tolerances_.subject.recorded && decision(told_kind(line, row)) != Decision::go) {
     return {{}, fmt::format("{} of recorded output", row.verdict())};
   }
-  const Tolerances terms = make_tolerances(terms_.subject, test.profile, terms_.grants);
-  const SessionVerdict now = judge_trace(path_of(test.id), test.profile, test.program, terms);
+  const Tolerances tolerances =
+      make_tolerances(tolerances_.subject, test.profile, tolerances_.grants);
+  const SessionVerdict now = judge_trace(path_of(test.id), test.profile, test.program, tolerances);
   ++derived_[kFromTrace];
   return {trace_fault(line, row, now), {}};
 }

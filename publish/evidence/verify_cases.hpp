@@ -36,7 +36,7 @@ class VerdictsAgain {
   std::string waiver_fault(const Json& line, const CaseRow& row) const;
   std::string path_of(const std::string& id) const;
 
-  RunTerms terms_;
+  RunTolerances tolerances_;
   std::string traces_;
   std::vector<KnownFailure> waivers_;
   std::vector<std::string> faults_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "campaign/encoding.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/command.hpp"
 #include "publish/report/json_value.hpp"
@@ -69,7 +70,7 @@ class HeaderCheck {
   void need(std::string_view option, bool holds, const Json& told) {
     if (holds) return;
     faults_.push_back(fmt::format("The header says {} of {}, but its command line does not.",
-                                  report::dump(told), option));
+                                  dump(told), option));
   }
 
   // Dialects that no option names are those that the subject declares (J-RUN-14).
@@ -108,7 +109,7 @@ class HeaderCheck {
     need("--shard", told == (shard.empty() ? "1/1" : shard.back()), Json(told));
     const std::vector<std::string> seed = option_values(argv_, "--seed");
     const Json drawn = header_.value("seed", Json(0));
-    need("--seed", seed.empty() || seed.back() == report::dump(drawn), drawn);
+    need("--seed", seed.empty() || seed.back() == dump(drawn), drawn);
     const Json strict = header_.value("strict", Json(false));
     need("--strict",
          (std::ranges::find(argv_, Json("--strict")) != argv_.end()) == (strict == true), strict);

@@ -5,6 +5,7 @@
 
 #include <exception>
 
+#include "campaign/encoding.hpp"
 #include "oracle/records/trace_reader.hpp"
 #include "publish/report/limits.hpp"
 #include "reference/expander.hpp"
@@ -54,10 +55,6 @@ struct AddItem {
 };
 
 }  // namespace
-
-std::string dump(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 std::variant<reference::Profile, std::string> case_profile(const std::string& dialect,
                                                            const Json& profile) {

@@ -18,8 +18,6 @@ namespace gonogo::oracle::report {
 // Keeps the order of keys, so that records are shown as they were written.
 using Json = nlohmann::ordered_json;
 
-std::string dump(const Json& value);
-
 // A path, and why it is missing or ends early: a sentence, or empty.
 struct DrawnPath {
   Path path;

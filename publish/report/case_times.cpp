@@ -3,6 +3,7 @@
 
 #include <exception>
 
+#include "campaign/encoding.hpp"
 #include "oracle/judge/time_rows.hpp"
 #include "oracle/records/trace_reader.hpp"
 #include "reference/expander.hpp"

@@ -48,7 +48,9 @@ std::string program_word() {
   for (fs::path at = program.parent_path(); at.has_relative_path(); at = at.parent_path()) {
     if (fs::is_regular_file(at / "gonogo", ignored) &&
         fs::exists(at / "CMakePresets.json", ignored)) {
-      return "./gonogo";
+      return fs::equivalent(at, fs::current_path(ignored), ignored)
+                 ? "./gonogo"
+                 : shell_quoted((at / "gonogo").string());
     }
   }
   // A copy that was called as ./gonogo is found again as ./gonogo.

@@ -13,7 +13,8 @@ namespace gonogo::oracle::report {
 // The values that an option has on a command line, given as two words or with '='.
 std::vector<std::string> option_values(const nlohmann::ordered_json& argv, std::string_view option);
 
-// How the program is called from where it was built, copied or installed: "./gonogo" or "gonogo".
+// How the program is called from here: "./gonogo" or the launcher's path in a checkout, else
+// "gonogo".
 std::string program_word();
 
 // "gonogo certify --subject S --profile F ... --case ", to which a case id (a shell word) is added:

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "campaign/encoding.hpp"
 #include "oracle/records/input_file.hpp"
 #include "oracle/records/output_file.hpp"
 #include "oracle/records/text.hpp"

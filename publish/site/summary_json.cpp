@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
+#include "campaign/encoding.hpp"
+
 #include "publish/site/site.hpp"
 
 namespace gonogo::oracle::site {
@@ -135,7 +137,7 @@ std::string site_json(const Gathered& gathered, const std::string& title) {
                      {"departures", std::move(departures)},
                      {"vote", vote_json(gathered)},
                      {"steps", std::move(steps)}};
-  return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return dump(root, 1) + "\n";
 }
 
 }  // namespace gonogo::oracle::site
