@@ -105,24 +105,24 @@ void CaseJudge::interpret_skip(const Case& test, Attempt& attempt) const {
         fmt::format("The subject refuses the profile of defaults: {}", attempt.end.message);
   } else if (attempt.end.kind == RunEnd::Kind::skip && is_claimed(test, attempt.end)) {
     verdict.kind = VerdictKind::fail_declaration;
-    verdict.message = fmt::format(
-        "The subject declares {} of {}, and skips a case of it: {}", fmt::join(test.features, ", "),
-        test.dialect, attempt.end.message.empty() ? attempt.end.feature : attempt.end.message);
+    verdict.message =
+        fmt::format("The subject skips what it declares ({}): {}", fmt::join(test.features, ", "),
+                    attempt.end.message.empty() ? attempt.end.feature : attempt.end.message);
   }
 }
 
 CaseJudge::Attempt CaseJudge::run_kept(Subject& subject, const Case& test,
-                                       const Tolerances& terms) const {
-  if (options_.traces.empty()) return run(subject, test, terms);
+                                       const Tolerances& tolerances) const {
+  if (options_.traces.empty()) return run(subject, test, tolerances);
   TraceFile trace(options_.traces, test.id);
-  return run(subject, test, terms, &trace);
+  return run(subject, test, tolerances, &trace);
 }
 
-CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test, const Tolerances& terms,
+CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test, const Tolerances& tolerances,
                                   TraceFile* keep) const {
   Attempt attempt;
   try {
-    JudgeSession session(test.profile, test.program, terms);
+    JudgeSession session(test.profile, test.program, tolerances);
     attempt.end = subject.run(test.id, test.program, [&](const Record& record) {
       if (attempt.records.size() < kKeptRecords) {
         attempt.records.push_back(record);
@@ -187,13 +187,13 @@ bool CaseJudge::settle_memory(Attempt& attempt, Attempt& again) {
 // A case that is known to be flaky runs as often as its entry says, each time in a fresh process.
 // It is as known only where no more runs fail than that; a run that fails otherwise is the
 // verdict.
-bool CaseJudge::settle_flaky(const Case& test, const Tolerances& terms, Attempt& attempt,
+bool CaseJudge::settle_flaky(const Case& test, const Tolerances& tolerances, Attempt& attempt,
                              CaseResult& result) {
   const KnownFailure* const known = known_failures_.flaky_entry(test.id, attempt.session.verdict);
   if (known == nullptr) return false;
   int failures = 1;
   for (int runs = 1; runs < known->flaky->runs; ++runs) {
-    Attempt again = run(fresh_subject(test.profile), test, terms);
+    Attempt again = run(fresh_subject(test.profile), test, tolerances);
     ++result.attempts;
     if (decision(again.session.verdict.kind) != Decision::no_go) continue;
     if (!known->is(again.session.verdict)) {
@@ -215,10 +215,10 @@ bool CaseJudge::settle_flaky(const Case& test, const Tolerances& terms, Attempt&
 }
 
 // A NO-GO is run again alone in a fresh process; two different answers are a state leak (J-RUN-08).
-void CaseJudge::confirm(const Case& test, const Tolerances& terms, Attempt& attempt,
+void CaseJudge::confirm(const Case& test, const Tolerances& tolerances, Attempt& attempt,
                         CaseResult& result) {
   if (!subject_->keeps_state() || attempt.end.given_up) return;
-  Attempt again = run(fresh_subject(test.profile), test, terms);
+  Attempt again = run(fresh_subject(test.profile), test, tolerances);
   ++result.attempts;
   if (again.end.given_up || settle_memory(attempt, again)) return;
   if (again.session.verdict.kind == VerdictKind::timeout) {
@@ -243,12 +243,12 @@ void CaseJudge::confirm(const Case& test, const Tolerances& terms, Attempt& atte
 // four times the limit. An answer after the limit shows a slow machine, and counts. Three answers
 // within the limit show that an earlier program made the subject hang, a state leak
 // (J-RUN-08).
-void CaseJudge::confirm_timeout(const Case& test, const Tolerances& terms, Attempt& attempt,
+void CaseJudge::confirm_timeout(const Case& test, const Tolerances& tolerances, Attempt& attempt,
                                 CaseResult& result) {
   const auto limit = std::chrono::microseconds(options_.limits.run).count();
   int in_time = 0;
   for (int i = 0; i < kTries; ++i) {
-    Attempt again = run_kept(fresh_subject(test.profile), test, terms);
+    Attempt again = run_kept(fresh_subject(test.profile), test, tolerances);
     ++result.attempts;
     if (again.session.verdict.kind == VerdictKind::timeout) continue;
     if (!again.answers()) {
@@ -285,8 +285,8 @@ void CaseJudge::keep_path(const Case& test, const Attempt& attempt, CaseResult& 
   }
 }
 
-void CaseJudge::keep_evidence(const Case& test, const Tolerances& terms, const Attempt& attempt,
-                              CaseResult& result) const {
+void CaseJudge::keep_evidence(const Case& test, const Tolerances& tolerances,
+                              const Attempt& attempt, CaseResult& result) const {
   keep_path(test, attempt, result);
   result.notes = attempt.end.notes;
   const bool comparable =
@@ -294,7 +294,7 @@ void CaseJudge::keep_evidence(const Case& test, const Tolerances& terms, const A
   const bool departs = decision(result.verdict.kind) == Decision::no_go ||
                        result.verdict.kind == VerdictKind::advice;
   if (departs && comparable && attempt.whole) {
-    Tolerances plain = terms;
+    Tolerances plain = tolerances;
     plain.measure = false;
     result.verdict.reading =
         explaining_reading(test.profile, test.program, plain, attempt.records, attempt.end);
@@ -332,22 +332,22 @@ CaseResult CaseJudge::judge(const Case& test) {
         fmt::format("The subject does not declare {} in {}.", *feature, test.dialect);
     return result;
   }
-  const Tolerances terms = make_tolerances(subject_->info(), test.profile, options_.grants);
-  Attempt attempt = run_kept(*subject_, test, terms);
+  const Tolerances tolerances = make_tolerances(subject_->info(), test.profile, options_.grants);
+  Attempt attempt = run_kept(*subject_, test, tolerances);
   if (result.expected_gap && attempt.session.verdict.kind == VerdictKind::timeout) {
     // The time of a program that the corpus does not cover says nothing (J-RUN-08).
     attempt.session.verdict =
         gap_verdict(GapReason::not_covered, std::move(attempt.session.verdict.message));
   }
-  const bool is_settled = settle_flaky(test, terms, attempt, result);
+  const bool is_settled = settle_flaky(test, tolerances, attempt, result);
   if (!is_settled && attempt.session.verdict.kind == VerdictKind::timeout) {
-    confirm_timeout(test, terms, attempt, result);
+    confirm_timeout(test, tolerances, attempt, result);
   }
   // Three tries in fresh processes have confirmed a timeout or its cause.
   const VerdictKind kind = attempt.session.verdict.kind;
   const bool is_confirmed = kind == VerdictKind::timeout || kind == VerdictKind::state_leak;
   if (decision(kind) == Decision::no_go && !is_settled && !is_confirmed) {
-    confirm(test, terms, attempt, result);
+    confirm(test, tolerances, attempt, result);
   }
   result.verdict = attempt.session.verdict;
   result.microseconds = attempt.end.microseconds;
@@ -357,7 +357,7 @@ CaseResult CaseJudge::judge(const Case& test) {
     // The readings of the run may leave it a failure.
     if (result.readings) keep_path(test, attempt, result);
   } else if (result.verdict.kind != VerdictKind::skip) {
-    keep_evidence(test, terms, attempt, result);
+    keep_evidence(test, tolerances, attempt, result);
   }
   return result;
 }

@@ -33,20 +33,21 @@ class CaseJudge {
   struct Attempt;
   std::optional<std::string> undeclared_feature(const Case& test) const;
   // `keep`: where what the subject sends goes besides; null: nowhere. Throws ResultsUnwritable.
-  Attempt run(Subject& subject, const Case& test, const Tolerances& terms,
+  Attempt run(Subject& subject, const Case& test, const Tolerances& tolerances,
               TraceFile* keep = nullptr) const;
   // The run whose outcome counts, kept as a trace when the campaign keeps them.
-  Attempt run_kept(Subject& subject, const Case& test, const Tolerances& terms) const;
+  Attempt run_kept(Subject& subject, const Case& test, const Tolerances& tolerances) const;
   bool is_claimed(const Case& test, const RunEnd& end) const;
   void interpret_skip(const Case& test, Attempt& attempt) const;
   static bool settle_memory(Attempt& attempt, Attempt& again);
-  bool settle_flaky(const Case& test, const Tolerances& terms, Attempt& attempt,
+  bool settle_flaky(const Case& test, const Tolerances& tolerances, Attempt& attempt,
                     CaseResult& result);
-  void confirm(const Case& test, const Tolerances& terms, Attempt& attempt, CaseResult& result);
-  void confirm_timeout(const Case& test, const Tolerances& terms, Attempt& attempt,
+  void confirm(const Case& test, const Tolerances& tolerances, Attempt& attempt,
+               CaseResult& result);
+  void confirm_timeout(const Case& test, const Tolerances& tolerances, Attempt& attempt,
                        CaseResult& result);
   static void keep_path(const Case& test, const Attempt& attempt, CaseResult& result);
-  void keep_evidence(const Case& test, const Tolerances& terms, const Attempt& attempt,
+  void keep_evidence(const Case& test, const Tolerances& tolerances, const Attempt& attempt,
                      CaseResult& result) const;
   std::unique_ptr<Subject> make() const;
   // The second subject, in a process of its own that has run nothing yet.

@@ -17,6 +17,11 @@ constexpr std::size_t kFirstOfFinding = 20;
 // A subject may break down in another way each time; what is beyond so many is counted as one.
 constexpr std::size_t kMostFindings = 200;
 
+// No record of the subject tells what it is about.
+bool is_told_by_message(VerdictKind kind) {
+  return is_breakdown(kind) || kind == VerdictKind::fail_declaration;
+}
+
 // The value of a key in the text of a record or an alarm.
 std::string member(std::string_view text, std::string_view key) {
   const std::string begin = fmt::format("\"{}\":\"", key);
@@ -90,7 +95,7 @@ bool is_breakdown(VerdictKind kind) {
 
 std::string departed_about(VerdictKind kind, std::string_view want, std::string_view got,
                            std::string_view message) {
-  if (is_breakdown(kind)) return constant_part(message);
+  if (is_told_by_message(kind)) return constant_part(message);
   return fmt::format("{}/{}", about(want), about(got));
 }
 
@@ -114,11 +119,12 @@ std::string Cause::text() const {
 std::string Finding::text() const {
   std::string out(name(key.kind));
   if (!key.clause.empty()) out += " at " + key.clause;
-  const bool is_one = is_breakdown(key.kind) && messages.size() == 1 && !messages.begin()->empty();
+  const bool is_told = is_told_by_message(key.kind);
+  const bool is_one = is_told && messages.size() == 1 && !messages.begin()->empty();
   const std::string said = is_one ? excerpt(*messages.begin(), kLongestHeading) : key.what;
   const std::string_view what = said;
   const std::size_t slash = what.find('/');
-  if (is_breakdown(key.kind) || slash == std::string_view::npos) {
+  if (is_told || slash == std::string_view::npos) {
     return what.empty() ? out : fmt::format("{} ({})", out, what);
   }
   const std::string_view want = what.substr(0, slash);

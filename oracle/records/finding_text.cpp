@@ -186,7 +186,12 @@ std::string marked_blocks(std::string_view program, std::uint64_t line) {
 std::string marked_blocks(grammar::ByteSource& program, std::uint64_t line) {
   constexpr std::uint64_t kBefore = 3;
   constexpr std::uint64_t kBehind = 1;
-  if (line == 0) return {};
+  constexpr std::uint64_t kFirst = 5;
+  if (line == 0) {
+    Blocks blocks = blocks_from_to(program, 1, kFirst + 1);
+    if (blocks.size() > kFirst) blocks.rbegin()->second = "...";
+    return numbered(blocks, 0);
+  }
   const Blocks blocks = blocks_from_to(program, line - std::min(kBefore, line), line + kBehind);
   return blocks.contains(line) ? numbered(blocks, line) : std::string();
 }

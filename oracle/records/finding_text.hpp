@@ -63,7 +63,8 @@ std::string short_step(std::string_view json);
 std::string want_and_got(std::string_view want, std::string_view got);
 
 // The lines about this one of a program with their numbers, the line itself marked by a caret
-// below; nothing without such a line. Bytes that are no text of ASCII are shown as ?.
+// below; nothing without such a line; 0: the first lines. Bytes that are no text of ASCII are shown
+// as ?.
 std::string marked_blocks(grammar::ByteSource& program, std::uint64_t line);
 std::string marked_blocks(std::string_view program, std::uint64_t line);
 // All lines in the same way; 0: none is marked.

@@ -42,9 +42,9 @@ std::string departure() {
     records.push_back(std::get<reference::Record>(reader.read(text)));
   }
   const auto profile = std::get<reference::Profile>(reference::default_profile(result.dialect));
-  const RunTerms run = run_terms(Json::parse(kHeaderLine));
-  const Tolerances terms = make_tolerances(run.subject, profile, run.grants);
-  result.verdict = judge_outcome(profile, result.program, terms, records, RunEnd{}).verdict;
+  const RunTolerances run = run_tolerances(Json::parse(kHeaderLine));
+  const Tolerances tolerances = make_tolerances(run.subject, profile, run.grants);
+  result.verdict = judge_outcome(profile, result.program, tolerances, records, RunEnd{}).verdict;
   return case_line(result, false);
 }
 

@@ -216,7 +216,9 @@ TEST(FindingText, a_deviation_is_told_exactly_where_that_is_short) {
 TEST(FindingText, the_block_that_departs_is_marked) {
   EXPECT_EQ(marked_blocks("G0 X1\r\nG94 X2\nM30\nM2\n", 2),
             "1 | G0 X1\n2 | G94 X2\n  | ^^^^^^\n3 | M30\n");
-  EXPECT_EQ(marked_blocks("G0\n", 0), "");
+  EXPECT_EQ(marked_blocks("G0\n", 0), "1 | G0\n");
+  EXPECT_EQ(marked_blocks("G0\nG1\n\n\nG2\nG3\nG4\n", 0),
+            "1 | G0\n2 | G1\n3 | \n4 | \n5 | G2\n6 | ...\n");
   EXPECT_EQ(marked_blocks("G0\n", 2), "");
   EXPECT_EQ(marked_blocks("\xE4\n", 1), "1 | ?\n  | ^\n");
 }
