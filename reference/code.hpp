@@ -141,7 +141,7 @@ struct UseFeature {
 };
 
 // Words that a code ignores by a rule, except those that it takes.
-struct PassedOver {
+struct IgnoredWords {
   std::string_view when;   // "with R"; empty: always
   std::string_view words;  // "K R E"
   ClauseId clause;
@@ -199,7 +199,7 @@ struct Code {
   ClauseId clause = kNoClause;  // that says what it does; none: the clause of the list of codes
   std::string_view feature = "basic";
   WordLists words = {};
-  std::span<const PassedOver> passed = {};
+  std::span<const IgnoredWords> passed = {};
   std::span<const UseFeature> uses = {};
   Setting setting = Setting::none;
   int sense = 0;              // of rotation: -1 clockwise, +1 counterclockwise
@@ -217,7 +217,7 @@ struct Code {
   bool is_m() const { return tenths >= 0 && name.front() == 'M'; }
   // Whether the code takes the word, of one letter.
   constexpr bool takes(char address) const { return (letters & letter_bit(address)) != 0; }
-  constexpr bool passes_over(char address) const {
+  constexpr bool ignores(char address) const {
     return (passed_letters & letter_bit(address)) != 0;
   }
   // The word as this code takes it; null: it does not.
@@ -225,10 +225,10 @@ struct Code {
   // As it is printed, with two digits: "G01"; a family: "G505 to G599".
   std::string text() const;
 
-  constexpr Code passing(std::span<const PassedOver> rules) const {
+  constexpr Code passing(std::span<const IgnoredWords> rules) const {
     Code code = *this;
     code.passed = rules;
-    for (const PassedOver& rule : rules) {
+    for (const IgnoredWords& rule : rules) {
       if (rule.when.empty()) code.passed_letters |= letters_of(rule.words);
     }
     return code;

@@ -24,7 +24,7 @@ bool is_numbered(std::string_view pattern, std::string_view name) {
 }
 
 // The words of the rule, without those that the code takes.
-std::string words_left(const PassedOver& rule, const Code& code) {
+std::string words_left(const IgnoredWords& rule, const Code& code) {
   if (!rule.when.empty()) return fmt::format("{} {}", rule.words, rule.when);
   std::string left;
   std::string_view words = rule.words;
@@ -141,11 +141,11 @@ std::string words_text(const Code& code) {
 
 std::vector<PassedWords> passed_words(const Descriptor& descriptor) {
   std::vector<PassedWords> rules;
-  for (const PassedOver& rule : descriptor.passed_everywhere) {
+  for (const IgnoredWords& rule : descriptor.passed_everywhere) {
     rules.push_back({"every block", std::string(rule.words), rule.clause, rule.why});
   }
   for (const Code& code : descriptor.codes) {
-    for (const PassedOver& rule : code.passed) {
+    for (const IgnoredWords& rule : code.passed) {
       std::string words = words_left(rule, code);
       if (words.empty()) continue;
       const auto same = std::ranges::find_if(rules, [&](const PassedWords& known) {

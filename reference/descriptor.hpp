@@ -25,7 +25,7 @@ struct Descriptor {
   // G codes by their numbers, then names in the order of their bytes, then M functions.
   std::span<const Code> codes;
   std::span<const CodeWord> everywhere;  // beside every code
-  std::span<const PassedOver> passed_everywhere;
+  std::span<const IgnoredWords> passed_everywhere;
 
   // By its name without leading zeros: "G1", "CIP". Null: the table has no row of that name. A row
   // of a family is found by each of its codes.

@@ -133,7 +133,7 @@ class Expander {
   }
   // Behind an end that no text states (its clause says so): `next` goes on with the line behind it,
   // as on a control that passes the mark over. REQUIRES: the last item was such an end.
-  void pass_over_end() {
+  void go_past_end() {
     ended_ = out_.program_end = false;
     out_.end_clause = kNoClause;
   }

@@ -74,7 +74,7 @@ bool admits(const AlarmReport& report, std::string_view classes);
 // The first alarm of a block that rests on a text; else the first that is derived;
 // else the first: the clause that a departure from them departs from (docs/judging.md, J-ALM-01).
 // REQUIRES: there is one.
-const Alarm& firmest(const AlarmReport& report);
+const Alarm& best_supported(const AlarmReport& report);
 
 // A code, word or construct that the maker has and the gauge does not read, or something of the
 // machine that the profile does not say; the program ends here for the gauge.

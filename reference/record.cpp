@@ -65,7 +65,7 @@ std::string_view name(RecordKind kind) {
   return kKinds[static_cast<std::size_t>(kind)];
 }
 
-const Alarm& firmest(const AlarmReport& report) {
+const Alarm& best_supported(const AlarmReport& report) {
   const auto basis = [](const Alarm& alarm) {
     return alarm.clause == kNoClause ? Basis::silent : clause(alarm.clause).basis();
   };

@@ -105,9 +105,7 @@ bool mill_helix(Machine& machine, const Helix& helix) {
   if (helix.site.depth != 0 && !mill(machine, helix)) return false;
   const bool stays = machine.has("helix-ends-at-r-plane"_fault);
   const Fixed plane = stays ? helix.site.r_plane : helix.site.initial_plane;  // GSK-G112-07
-  const bool at_feed = helix.site.depth != 0 && machine.follows("gsk.helix.return=feed"_reading);
-  const std::size_t d = machine.plane().d;
-  return at_feed ? machine.cut_axis(d, plane) : machine.tracer.rapid_axis(d, plane);
+  return retract(machine, helix.site, plane, machine.follows("gsk.helix.return=feed"_reading));
 }
 
 }  // namespace

@@ -68,4 +68,10 @@ bool approach(Machine& machine, const Site& site) {
          machine.tracer.rapid_axis(machine.plane().d, site.r_plane);
 }
 
+bool retract(Machine& machine, const Site& site, Fixed plane, bool at_feed) {
+  const std::size_t d = machine.plane().d;
+  return at_feed && site.depth != 0 ? machine.cut_axis(d, plane)
+                                    : machine.tracer.rapid_axis(d, plane);
+}
+
 }  // namespace gonogo::expanders::gsk

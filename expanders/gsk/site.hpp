@@ -42,6 +42,8 @@ void find_depth(Machine& machine, const Block& block, const Retained& to_r_plane
 
 /// Rapid to the centre, then to the R plane (GSK-G110-06, 07; GSK-G112-03; GSK-G114-05).
 bool approach(Machine& machine, const Site& site);
+/// To a plane of the depth axis: at feed where it has milled and `at_feed` says so, else in rapid.
+bool retract(Machine& machine, const Site& site, Fixed plane, bool at_feed);
 
 /// G114 to G117. Radii are the tool centre's.
 struct ThreadMilling {

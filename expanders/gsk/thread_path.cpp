@@ -185,10 +185,8 @@ bool mill_thread(Machine& machine, const ThreadMilling& thread) {
   if (!approach(machine, thread.site)) return false;  // GSK-G114-05
   if (thread.site.depth != 0 && !ThreadMill(machine, thread).run()) return false;
   if (machine.has("thread-ends-at-r-plane"_fault)) return true;
-  const std::size_t d = machine.plane().d;
-  const Fixed plane = thread.site.initial_plane;  // GSK-G114-07
-  const bool at_feed = thread.site.depth != 0 && machine.follows("gsk.thread.return=feed"_reading);
-  return at_feed ? machine.cut_axis(d, plane) : machine.tracer.rapid_axis(d, plane);
+  return retract(machine, thread.site, thread.site.initial_plane,  // GSK-G114-07
+                 machine.follows("gsk.thread.return=feed"_reading));
 }
 
 }  // namespace gonogo::expanders::gsk

@@ -25,14 +25,14 @@ char off_plane_word(const Machine& machine, const Block& block) {
   return 0;
 }
 
-// GSK-G90-09: a taper against the travel may not be longer than it. GSK-G94-09: of G94 a reading
-// says whether that is looked at.
+// GSK-G94-09: a reading says whether G94 looks at the length of its taper.
 bool checks_taper(const Machine& machine) {
   const bool checks = machine.state.motion != Motion::kFaceCycle ||
                       machine.follows("gsk.g94.taper-limit=alarm"_reading);
   return checks != machine.has("taper-unchecked"_fault);
 }
 
+// GSK-G90-09: a taper against the travel may not be longer than it.
 bool taper_too_long(const Machine& machine, Fixed taper, Fixed travel) {
   if (machine.has("taper-zero-travel-refused"_fault) && travel == 0 && taper != 0) return true;
   if (sign_of(taper) * sign_of(travel) >= 0) return false;

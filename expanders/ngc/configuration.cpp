@@ -19,7 +19,7 @@ constexpr Reading kReadings[] = {
     {"ngc.arc-tolerance", &Configuration::arc_tolerance, {"nist", "linuxcnc", "page", "grbl"}},
     {"ngc.full-circle-words", &Configuration::circle_needs_word, {"free", "needed"}},
     {"ngc.g80-beside", &Configuration::forgets_g80, {"alarm", "ignored"}},
-    {"ngc.unused-words", &Configuration::passes_over_words, {"alarm", "ignored"}},
+    {"ngc.unused-words", &Configuration::ignores_words, {"alarm", "ignored"}},
     {"ngc.line-number", &Configuration::whole_line_numbers, {"decimal", "whole"}},
     {"ngc.o-name", &Configuration::refuses_names, {"passed-over", "syntax"}},
     {"ngc.program-end", &Configuration::needs_no_end, {"needed", "free"}},

@@ -179,7 +179,7 @@ bool Interpreter::runs_motion() const {
 // NGC-COM-02
 void Interpreter::check_uses() {
   static constexpr AddressSet kOfCodes{"DEHIJKLPQR"};
-  if (machine_.configuration.passes_over_words) return;
+  if (machine_.configuration.ignores_words) return;
   const Motion motion = machine_.state.motion;
   const bool runs = runs_motion();
   const bool moves = block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords);

@@ -88,8 +88,8 @@ bool check_angle(Machine& machine, const Block& block) {
   return false;
 }
 
-// SIE-ARC-05: an arc of no angle that leads nowhere, where a reading has it do just that.
-bool leads_nowhere(const Machine& machine, const Block& block, const Arc& arc) {
+// SIE-ARC-05: an arc of no angle that would move nothing, where a reading has it do just that.
+bool moves_nothing(const Machine& machine, const Block& block, const Arc& arc) {
   return block.has(Address::kOpeningAngle) && block.value(Address::kOpeningAngle).counts == 0 &&
          !block.has(Address::kTurn) && arc.target.to == machine.state.position &&
          machine.follows("sie.ar.zero=none"_reading);
@@ -185,7 +185,7 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
   take_end(machine, target_of(machine, block), arc);
   arc.feed = cutting_feed(machine, arc.target.to, true);
   arc.rounds = rounds_of(machine, block);
-  if (!sound || machine.in_alarm() || leads_nowhere(machine, block, arc)) return;
+  if (!sound || machine.in_alarm() || moves_nothing(machine, block, arc)) return;
   if (is_polar(block)) {
     take_pole_circle(machine, block, arc);
   } else if (block.has(Address::kRadius)) {

@@ -138,7 +138,7 @@ Scan BlockReader::letter() {
     // I1=3, S2=500: a letter with a number of its own.
     if (at('=')) {
       const bool intermediate = index == 1 && letter >= 'I' && letter <= 'K';
-      name = {letter == 'H' ? NameKind::kPassedOver : NameKind::kOutside};
+      name = {letter == 'H' ? NameKind::kIgnored : NameKind::kOutside};
       if (intermediate) {
         const auto axis = static_cast<std::size_t>(letter - 'I');
         name = {NameKind::kAddress, intermediate_address(axis)};
@@ -287,7 +287,7 @@ Scan BlockReader::take(const Name& name, std::string_view text, const Value& val
     case NameKind::kCode:
       put_code(*name.code, text[0]);
       break;
-    case NameKind::kPassedOver:
+    case NameKind::kIgnored:
       if (text.size() > 1) warn(std::string(text) + " is ignored.");
       break;
     case NameKind::kOutside:

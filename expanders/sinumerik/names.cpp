@@ -59,7 +59,7 @@ constexpr std::string_view kControl =
     "GOTOC "
     "GOTOS DEF PROC EXTERN CALL PCALL MCALL RET ";
 
-constexpr std::string_view kPassedOver =
+constexpr std::string_view kIgnored =
     " MSG STOPRE SOFT BRISK DRIVE FFWON FFWOF CFC CFTCP CFIN COMPOF DIAMOF KONT "
     "LIMS NORM SPCON SPCOF SPOS SPOSA WAITS ";
 
@@ -92,7 +92,7 @@ Name find_name(std::string_view name, Control control) {
   if (contains(kControl, name)) return {NameKind::kControl};
   // No offset that the 840D is read with could be left out.
   const bool no_offsets = name == "SUPA" && control == Control::k840D;
-  if (contains(kPassedOver, name) || no_offsets) return {NameKind::kPassedOver};
+  if (contains(kIgnored, name) || no_offsets) return {NameKind::kIgnored};
   // LCYC is the maker's prefix; any other name is one of the control's that this expander lacks, or
   // may be a subprogram or a variable of the owner.
   if (is_cycle(name) && !contains(kOutside, name)) return {};
@@ -110,7 +110,7 @@ Name find_letter(char letter) {
   if (more != std::string_view::npos) return {NameKind::kAddress, kAddressesOfMore[more]};
   if (letter == 'G') return {NameKind::kGCode};
   if (letter == 'M') return {NameKind::kFunction};
-  if (letter == 'H') return {NameKind::kPassedOver};
+  if (letter == 'H') return {NameKind::kIgnored};
   // Further axes; subprograms and how often they run.
   const bool outside = std::string_view("BEOQUVWLP").find(letter) != std::string_view::npos;
   return {outside ? NameKind::kOutside : NameKind::kUnknown};

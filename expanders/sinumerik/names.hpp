@@ -101,10 +101,10 @@ const Code* find_code(const Decimal& number, Control control);
 enum class NameKind : std::uint8_t {
   kAddress,
   kGCode,
-  kFunction,    // M
-  kCode,        // CIP, CT, LCYC75, LCYC82
-  kControl,     // the rest of the line is not read
-  kPassedOver,  // a name: with a warning
+  kFunction,  // M
+  kCode,      // CIP, CT, LCYC75, LCYC82
+  kControl,   // the rest of the line is not read
+  kIgnored,   // a name: with a warning
   kOutside,
   kUnknown
 };

@@ -173,8 +173,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
     {"GSK-G110-10", must, kG110, "Traverse d to the R plane, then the plane axes to the centre.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-11", open, kG110,
-     "Traverse d to abs(P) above the last depth, beyond the R plane where P is that large or no "
-     "farther than it; feed to the next depth.",
+     "Traverse d to abs(P) above the last depth; where that lies beyond the R plane, there or to "
+     "the "
+     "R plane. Feed to the next depth.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-12", must, kG110, "Repeat to the bottom.", "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-13", open, kG110,

@@ -89,9 +89,8 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "reference/sinumerik/arc.cpp"},
     {"SIE-CIP-01", derived, kArcs,
      "CIP is an arc in space through the point I1= J1= K1=, its sense the order of the points; "
-     "G90, "
-     "G91, AC and IC hold for it from the arc's start. A point between start and end on their line "
-     "makes a straight line, which an older control refuses; any other on it is an alarm.",
+     "G90, G91, AC and IC hold for it from the arc's start. A point between start and end on their "
+     "line makes a straight line, or is an alarm; any other point on that line is an alarm.",
      "reference/sinumerik/cip.cpp"},
     {"SIE-CIP-02", derived, kArcs,
      "CIP needs an intermediate point other than its ends; its coordinates left out are the "

@@ -25,7 +25,7 @@ inline constexpr auto kSinumerikPathReadings = of_dialect(
         {.name = "sie.ar.zero",
          .alternatives = {"none", "alarm"},
          .clause = "SIE-ARC-05"_clause,
-         .text = "an arc of the angle AR=0 that leads nowhere: no motion, or an alarm"},
+         .text = "an arc of the angle AR=0 that would move nothing: no motion, or an alarm"},
         {.name = "sie.ap.g91",
          .alternatives = {"absolute", "incremental"},
          .clause = "SIE-POL-02"_clause,

@@ -80,25 +80,25 @@ inline constexpr auto kThreadMilling = std::to_array<CodeWord>({
     {"K", angle, "angle of the run-out"},
 });
 
-inline constexpr auto kAnyBlock = std::to_array<PassedOver>({
+inline constexpr auto kAnyBlock = std::to_array<IgnoredWords>({
     {"", "S T", "GSK-COM-05"_clause, "the spindle and the tool do not shape the path"},
 });
-inline constexpr auto kBesideR = std::to_array<PassedOver>({
+inline constexpr auto kBesideR = std::to_array<IgnoredWords>({
     {"beside R", "I J K", "GSK-COM-05"_clause, "the radius goes before the centre"},
 });
 // GSK-COM-06, GSK-COM-10: the words that the tables of the cycles give a range.
 inline constexpr std::string_view kOfTables = "R I L Q D E J K P";
-inline constexpr PassedOver kInRange = {
+inline constexpr IgnoredWords kInRange = {
     "", kOfTables, "GSK-COM-10"_clause,
     "a word of the tables of the cycles that this one does not use is held to its range only"};
-inline constexpr std::array<PassedOver, 1> kTables = {kInRange};
+inline constexpr std::array<IgnoredWords, 1> kTables = {kInRange};
 inline constexpr std::string_view kSaidAnyway = "they say what goes without saying";
-inline constexpr auto kG92Passed = std::to_array<PassedOver>({
+inline constexpr auto kG92Passed = std::to_array<IgnoredWords>({
     kInRange,
     {"of 1", "L", "GSK-G92-13"_clause, kSaidAnyway},
     {"of 0", "P Q", "GSK-G92-13"_clause, kSaidAnyway},
 });
-inline constexpr auto kEntry = std::to_array<PassedOver>({
+inline constexpr auto kEntry = std::to_array<IgnoredWords>({
     {"in the entry block of G110 to G117", kOfTables, "GSK-MOD-02"_clause,
      "I L Q D are taken in; the others hold for a block that mills"},
 });
@@ -240,7 +240,7 @@ inline constexpr Letters kEverywhereLetters =
 inline constexpr Letters kAxisLetters = letters_of(WordLists({kEnds}));
 
 inline constexpr auto kFeatures = std::to_array<DialectFeature>({
-    {"basic", "positioning, feeds, dwell, planes, units, G28, G50"},
+    {"basic", "G00, G01, G04, planes, units, G28, G50, G80, G98 and G99, M functions"},
     {"arc", "G02 and G03"},
     {"g90", "the axial cutting cycle G90"},
     {"g92", "the thread cutting cycle G92"},

@@ -35,7 +35,7 @@ bool reads_word(const BlockContext& block, const Code* code, char address) {
     if (enters && holds(kOfTables, address)) return true;
     return code->takes(address) && (code->kind != Kind::dwell || times_dwell(block.words, address));
   }
-  if (code->passes_over(address)) return true;
+  if (code->ignores(address)) return true;
   return code->takes(address) && (code->kind != Kind::arc || shapes_arc(block, address));
 }
 

@@ -63,34 +63,34 @@ inline constexpr auto kTaperK = std::to_array<CodeWord>({
     {"K", along_p, "taper: Z of B less that of C", Life::modal},
 });
 
-inline constexpr auto kAnyBlock = std::to_array<PassedOver>({
+inline constexpr auto kAnyBlock = std::to_array<IgnoredWords>({
     {"", "S T", "HNC-COM-01"_clause, "the spindle and the tool do not shape the path"},
 });
-inline constexpr auto kBesideR = std::to_array<PassedOver>({
+inline constexpr auto kBesideR = std::to_array<IgnoredWords>({
     {"beside R", "I K", "HNC-COM-01"_clause, "the radius goes before the centre"},
 });
-inline constexpr auto kNoRunOut = std::to_array<PassedOver>({
+inline constexpr auto kNoRunOut = std::to_array<IgnoredWords>({
     {"of 0", "R E P C Q K I", "HNC-WRD-01"_clause,
      "a run-out, a start angle or a number of starts of zero asks for none"},
 });
-inline constexpr PassedOver kOfCycles = {
+inline constexpr IgnoredWords kOfCycles = {
     "", "I K R E C A P J Q", "HNC-COM-07"_clause,
     "a word of the group of cycles that this cycle does not use is taken in without effect"};
-inline constexpr PassedOver kUnwithdrawn = {
+inline constexpr IgnoredWords kUnwithdrawn = {
     "without R", "Q", "HNC-G74-01"_clause,
     "the depth of a peck is checked; without a withdrawal there are no pecks"};
-inline constexpr std::array<PassedOver, 1> kCutting = {kOfCycles};
-inline constexpr auto kDrilling = std::to_array<PassedOver>({
+inline constexpr std::array<IgnoredWords, 1> kCutting = {kOfCycles};
+inline constexpr auto kDrilling = std::to_array<IgnoredWords>({
     kUnwithdrawn,
     {"", "X U", "HNC-G74-04"_clause, "drilling goes along Z alone"},
     kOfCycles,
 });
-inline constexpr auto kGrooving = std::to_array<PassedOver>({
+inline constexpr auto kGrooving = std::to_array<IgnoredWords>({
     kUnwithdrawn,
     {"where it is not the count", "I P", kOfCycles.clause, kOfCycles.why},
     kOfCycles,
 });
-inline constexpr auto kThreading = std::to_array<PassedOver>({
+inline constexpr auto kThreading = std::to_array<IgnoredWords>({
     {"but for its sign", "Q", "HNC-G82-05"_clause, "it has no effect on the geometry"},
     kOfCycles,
 });
@@ -195,7 +195,7 @@ inline constexpr Letters kEverywhereLetters =
     letters_of("G") | letters_of(WordLists({kEverywhere}));
 
 inline constexpr auto kFeatures = std::to_array<DialectFeature>({
-    {"basic", "G00, G01, G04, units, diameters, work offsets, G90 to G95"},
+    {"basic", "G00, G01, G04, units, diameters, work offsets, G90 to G95, M functions, S and T"},
     {"arc", "G02 and G03"},
     {"g32", "thread cutting G32"},
     {"g74", "deep drilling of the face G74"},

@@ -11,7 +11,7 @@ bool uses_word(const Code* code, char address) {
 }
 
 bool reads_word(const Code* code, char address) {
-  return uses_word(code, address) || (code != nullptr && code->passes_over(address));
+  return uses_word(code, address) || (code != nullptr && code->ignores(address));
 }
 
 }  // namespace gonogo::reference::hnc21t

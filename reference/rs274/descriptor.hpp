@@ -110,16 +110,16 @@ inline constexpr auto kToolLength = std::to_array<CodeWord>({
     {"H", number, "tool"},
 });
 
-inline constexpr auto kReturn = std::to_array<PassedOver>({
+inline constexpr auto kReturn = std::to_array<IgnoredWords>({
     {"", "I", "NGC-G331-03"_clause,
      "it multiplies the speed of the spindle on the way back, which no record has"},
 });
-inline constexpr auto kNoTaper = std::to_array<PassedOver>({
+inline constexpr auto kNoTaper = std::to_array<IgnoredWords>({
     {"without L", "E", "NGC-G76-09"_clause, "no end of the thread has the taper"},
     {"without E", "L", "NGC-G76-09"_clause, "a taper without length is none"},
 });
 // Any other word that its block does not use is an alarm (NGC-COM-02).
-inline constexpr auto kAnyBlock = std::to_array<PassedOver>({
+inline constexpr auto kAnyBlock = std::to_array<IgnoredWords>({
     {"", "S T", "NGC-COM-01"_clause, "the spindle and the tool do not shape the path"},
 });
 

@@ -348,7 +348,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
 void Interpreter::run_line(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
   text_.take(block, out);
   // NGC-OWD-10
-  if (o_words_.is_beyond() || (block.tape_mark && o_words_.passes_over())) {
+  if (o_words_.is_beyond() || (block.tape_mark && o_words_.skips_lines())) {
     out.alarms.clear();
     out.not_covered = NotCovered{
         line,

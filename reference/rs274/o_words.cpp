@@ -90,7 +90,7 @@ bool OWords::next(grammar::LineSource& lines, grammar::Line& line) {
   current_ = &line;
   lines_ = &lines;
   while (read(lines, line)) {
-    if (!passes_over() || is_beyond() || line.too_long) return true;
+    if (!skips_lines() || is_beyond() || line.too_long) return true;
     if (is_tape_mark(line.text) || is_wanted(line.text)) return true;
   }
   return false;

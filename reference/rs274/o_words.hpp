@@ -48,7 +48,7 @@ class OWords {
   // Whether there was an O word.
   bool is_used() const { return is_used_; }
   // Whether lines are skipped now, up to an O word that has not come yet.
-  bool passes_over() const { return wanted_ || defined_ != nullptr; }
+  bool skips_lines() const { return wanted_ || defined_ != nullptr; }
 
  private:
   struct StoredLine {

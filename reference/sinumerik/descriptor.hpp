@@ -82,17 +82,17 @@ inline constexpr auto kPocket = std::to_array<CodeWord>({
 
 // SIE-WRD-01: a word that no rule ignores is used, has no meaning for the motion in force
 // (SIE-COM-01), or is a name that is not read (SIE-MOD-02).
-inline constexpr auto kAnyBlock = std::to_array<PassedOver>({
+inline constexpr auto kAnyBlock = std::to_array<IgnoredWords>({
     {"", "S T D H H<n>=", "SIE-MOD-02"_clause,
      "the spindle, the tool and auxiliary functions do not shape the path (G4 and LCYC75 look at "
      "S, T and D)"},
     {"", "NAME:", "SIE-LEX-01"_clause, "a label only says where a jump would lead"},
 });
-inline constexpr auto kNoFeed = std::to_array<PassedOver>({
+inline constexpr auto kNoFeed = std::to_array<IgnoredWords>({
     {"", "F", "SIE-G1-01"_clause, "the feed is taken in; a traverse has none"},
 });
 
-inline constexpr auto kNoTurns = std::to_array<PassedOver>({
+inline constexpr auto kNoTurns = std::to_array<IgnoredWords>({
     {"of 0", "TURN", "SIE-ARC-13"_clause, "no turn is added"},
 });
 
@@ -321,7 +321,7 @@ inline constexpr auto kEverywhere = std::to_array<CodeWord>({
 });
 
 inline constexpr auto kPathFeatures = std::to_array<DialectFeature>({
-    {"basic", "G0, G1, G4, units, G90 and G91, AC and IC, G94 and G95"},
+    {"basic", "G0, G1, G4, planes, units, G90, G91, AC and IC, G94 and G95, M functions and S"},
     {"arc", "G2 and G3 by their centre in the plane in force"},
     {"cr", "G2 and G3 by CR="},
     {"ar", "G2 and G3 by AR="},

@@ -182,11 +182,11 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
   bool has_m = false;
   for (const grammar::NamedWord& word : block.named) {
     const std::optional<Address> address = address_of(word);
-    const bool is_passed_over =
+    const bool is_ignored =
         !address && word.terms != 0 && find_name(machine_.control, word) != nullptr;
-    if (address ? *address == Address::g : !is_passed_over) continue;
-    const bool repeats = is_passed_over || *address == Address::r || *address == Address::m ||
-                         *address == Address::h;
+    if (address ? *address == Address::g : !is_ignored) continue;
+    const bool repeats =
+        is_ignored || *address == Address::r || *address == Address::m || *address == Address::h;
     const WordName name = word_name(word, address);
     if (!repeats && words.has(*address)) {
       out.alarms.push_back({AlarmClass::duplicate_word, kCommon, name, word.where,
@@ -212,7 +212,7 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
       complete = false;
       out.alarms.push_back(
           {AlarmClass::value_out_of_range, clause, name, word.where, problem.message});
-    } else if (is_passed_over) {
+    } else if (is_ignored) {
       continue;
     } else if (*address == Address::r) {
       calculator_.assign(*word.index, *std::move(value));
