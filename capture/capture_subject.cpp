@@ -126,7 +126,7 @@ class CaptureSubject : public Subject {
   fs::path folder_;
   SubjectInfo info_;
   std::map<std::string, ExportedProgram> programs_;
-  SampledTerms sampled_;
+  SampledTolerances sampled_;
   reference::Position start_;
   Number resolution_ = 0;
 };
@@ -157,7 +157,7 @@ RunEnd CaptureSubject::run(std::string_view id, std::string_view, const RecordSi
     end.message = fmt::format("{} holds neither {}.jsonl nor {}.csv.", folder_.string(), id, id);
     return end;
   }
-  SampledTerms sampled = sampled_;
+  SampledTolerances sampled = sampled_;
   sampled.header_lines = header;
   try {
     end = check_samples(path->string(), sampled);

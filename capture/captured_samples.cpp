@@ -18,18 +18,18 @@ namespace gonogo::oracle {
 class CapturedSamples::Judging {
  public:
   Judging(const CapturedSamples& samples, const reference::Profile& profile,
-          const ProgramText& program, const Tolerances& terms, const RunEnd& end)
+          const ProgramText& program, const Tolerances& tolerances, const RunEnd& end)
       : samples_(samples),
         profile_(profile),
         program_(program),
-        terms_(terms),
+        tolerances_(tolerances),
         end_(end),
         sampled_(samples.sampled_) {
     Number tau = profile.resolution();
-    if (terms.resolution) tau = min(tau, *terms.resolution);
-    terms_.tolerance = tau + terms.granted;
-    terms_.compare_blocks = true;
-    terms_.compare_m = false;
+    if (tolerances.resolution) tau = min(tau, *tolerances.resolution);
+    tolerances_.tolerance = tau + tolerances.granted;
+    tolerances_.compare_blocks = true;
+    tolerances_.compare_m = false;
   }
 
   SampledVerdict judge();
@@ -54,14 +54,14 @@ class CapturedSamples::Judging {
   const CapturedSamples& samples_;
   const reference::Profile& profile_;
   ProgramText program_;
-  Tolerances terms_;
+  Tolerances tolerances_;
   const RunEnd& end_;
   mutable Sample last_;
   mutable reference::AxisSet seen_;
   mutable double following_ = 0;
   WorstSample worst_;
   Number longest_ = 0;  // s, between two samples of the program
-  SampledTerms sampled_;
+  SampledTolerances sampled_;
 };
 
 namespace {
@@ -80,8 +80,8 @@ Number upward(double value) {
 std::unique_ptr<SampledRun> CapturedSamples::Judging::run(bool strict, double way_factor) const {
   SampleReader reader(samples_.path_, sampled_.columns);
   seen_ = reader.axes();
-  auto run =
-      std::make_unique<SampledRun>(profile_, program_, terms_, sampled_, seen_, strict, way_factor);
+  auto run = std::make_unique<SampledRun>(profile_, program_, tolerances_, sampled_, seen_, strict,
+                                          way_factor);
   NoiseWatch noise;
   Sample sample;
   while (reader.next(sample)) {
@@ -95,16 +95,16 @@ std::unique_ptr<SampledRun> CapturedSamples::Judging::run(bool strict, double wa
 }
 
 bool CapturedSamples::Judging::go_at(const Number& tolerance) {
-  const Number kept = std::exchange(terms_.tolerance, tolerance);
+  const Number kept = std::exchange(tolerances_.tolerance, tolerance);
   const Verdict verdict = judge_here().verdict;
-  terms_.tolerance = kept;
+  tolerances_.tolerance = kept;
   // No tolerance fills a hole.
   return decision(verdict.kind) == Decision::go || verdict.gap == GapReason::samples_hole;
 }
 
 std::optional<Number> CapturedSamples::Judging::go_from() {
   const Number step = Number::millionths(100);
-  std::int64_t low = (terms_.tolerance / step).floor().to_int64().value_or(0);
+  std::int64_t low = (tolerances_.tolerance / step).floor().to_int64().value_or(0);
   std::int64_t high = std::max<std::int64_t>(2 * low, 1);
   constexpr std::int64_t kMost = 10'000;
   while (!go_at(step * high)) {
@@ -121,10 +121,10 @@ std::optional<Number> CapturedSamples::Judging::go_from() {
 
 SampledVerdict CapturedSamples::Judging::judge() {
   SampledVerdict said = judge_here();
-  if (!terms_.measure) return said;
+  if (!tolerances_.measure) return said;
   auto figures = std::make_shared<SampledFigures>();
   figures->samples = sampled_.samples;
-  figures->tolerance = terms_.tolerance.text();
+  figures->tolerance = tolerances_.tolerance.text();
   const VerdictKind kind = said.verdict.kind;
   if (decision(kind) == Decision::go) {
     figures->worst = worst_.deviation.text();
@@ -172,7 +172,7 @@ void CapturedSamples::Judging::explain(Verdict& verdict, const Number& noise,
       fmt::format("GO from {} mm up{}.", go_from->text(), has_hole() ? ", but for the hole" : "");
   // J-RUN-11.
   constexpr int kPeak = 3;  // times the noise: what scatters like it comes as far as that
-  const bool too_fine = terms_.tolerance * 3 < noise * 2 && *go_from <= noise * kPeak;
+  const bool too_fine = tolerances_.tolerance * 3 < noise * 2 && *go_from <= noise * kPeak;
   if (!too_fine) {
     verdict.message += " " + least;
     return;
@@ -181,7 +181,7 @@ void CapturedSamples::Judging::explain(Verdict& verdict, const Number& noise,
       GapReason::samples_scatter,
       fmt::format("The samples scatter by {} mm, more than the tolerance of {} mm, which they "
                   "therefore cannot be held to. {} Say which tolerance counts with --tolerance.",
-                  noise.text(), terms_.tolerance.text(), least));
+                  noise.text(), tolerances_.tolerance.text(), least));
   open.want = verdict.want;
   open.got = verdict.got;
   open.block = verdict.block;
@@ -253,15 +253,15 @@ SampledVerdict CapturedSamples::Judging::departed(const SampledRun& run) const {
 }
 
 Verdict CapturedSamples::Judging::judge_end(const SampledRun& run) const {
-  Tolerances terms = terms_;
-  terms.compare_blocks = end_.kind != RunEnd::Kind::alarm || end_.alarm.block != 0;
+  Tolerances tolerances = tolerances_;
+  tolerances.compare_blocks = end_.kind != RunEnd::Kind::alarm || end_.alarm.block != 0;
   // A control that has moved did not check at load.
   reference::Profile profile = profile_;
   if (run.moved()) profile.alarm_timing = reference::AlarmTiming::block;
-  ProgramJudge judge(profile, program_, terms);
+  ProgramJudge judge(profile, program_, tolerances);
   const bool whole = run.at_end() || run.left_end();
   const std::size_t pieces = whole ? std::numeric_limits<std::size_t>::max() : run.progress();
-  SampledPath::replay(profile_, program_, terms_, pieces, judge);
+  SampledPath::replay(profile_, program_, tolerances_, pieces, judge);
   if (run.left_end()) {
     Record beyond;
     beyond.kind = RecordKind::feed;
@@ -283,13 +283,13 @@ Verdict CapturedSamples::Judging::judge_end(const SampledRun& run) const {
   return verdict;
 }
 
-CapturedSamples::CapturedSamples(std::string path, SampledTerms sampled)
+CapturedSamples::CapturedSamples(std::string path, SampledTolerances sampled)
     : path_(std::move(path)), sampled_(std::move(sampled)) {}
 
 SampledVerdict CapturedSamples::judge(const reference::Profile& profile, const ProgramText& program,
-                                      const Tolerances& terms, const RunEnd& end) const {
+                                      const Tolerances& tolerances, const RunEnd& end) const {
   try {
-    return Judging(*this, profile, program, terms, end).judge();
+    return Judging(*this, profile, program, tolerances, end).judge();
   } catch (const exact::Undecided& undecided) {
     return {undecided_verdict(undecided), 0};
   } catch (const SampleFault& fault) {
@@ -300,7 +300,7 @@ SampledVerdict CapturedSamples::judge(const reference::Profile& profile, const P
   }
 }
 
-RunEnd check_samples(const std::string& path, SampledTerms& sampled) {
+RunEnd check_samples(const std::string& path, SampledTolerances& sampled) {
   SampleReader reader(path, sampled.columns);
   Sample sample;
   NoiseWatch noise;

@@ -72,7 +72,7 @@ Json end_json(const reference::Profile& profile, const ProgramText& program) {
     for (const reference::AdmittedClass& one : reference::admitted_classes(*report)) {
       end["classes"].push_back(reference::name(one.alarm));
     }
-    const reference::ClauseId clause = reference::firmest(*report).clause;
+    const reference::ClauseId clause = reference::best_supported(*report).clause;
     end["silent"] = clause != reference::kNoClause &&
                     reference::clause(clause).basis() == reference::Basis::silent;
     return end;
@@ -81,9 +81,9 @@ Json end_json(const reference::Profile& profile, const ProgramText& program) {
 }
 
 Json way_json(const reference::Profile& profile, const ProgramText& program) {
-  Tolerances terms;
-  terms.tolerance = profile.resolution();
-  SampledPath path(profile, program, terms, reference::kEveryAxis, 1);
+  Tolerances tolerances;
+  tolerances.tolerance = profile.resolution();
+  SampledPath path(profile, program, tolerances, reference::kEveryAxis, 1);
   Json way;
   way["pieces"] = Json::array();
   for (std::size_t i = 0; const PathPiece* piece = path.piece(i); ++i) {

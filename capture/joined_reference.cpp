@@ -8,8 +8,8 @@
 namespace gonogo::oracle {
 
 JoinedReference::JoinedReference(const reference::Profile& profile, grammar::LineSource& lines,
-                                 const Tolerances& terms)
-    : terms_(terms),
+                                 const Tolerances& tolerances)
+    : tolerances_(tolerances),
       expander_(profile, lines, reference::OpenPaths::judged),
       position_(profile.initial.at),
       stood_(position_) {}
@@ -33,12 +33,12 @@ void JoinedReference::take_motion(const Record& record) {
   constexpr std::size_t kMostInARow = 1'000'000;
   Motion motion = motion_from(position_, record, items_);
   position_ = motion.to();
-  if (!terms_.compare_blocks) motion.record.block = 0;
+  if (!tolerances_.compare_blocks) motion.record.block = 0;
   if (pending_ && !over_arcs_ && join(*pending_, motion)) {
     stood_ = position_;
     return;
   }
-  if (stays_at(stood_, motion, terms_)) {
+  if (stays_at(stood_, motion, tolerances_)) {
     over_arcs_ = over_arcs_ || is_round(record.kind);
     if (++left_out_ > kMostInARow) {
       throw exact::Undecided("more than a million motions in a row are too small to see");

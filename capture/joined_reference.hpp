@@ -15,7 +15,7 @@ class JoinedReference {
  public:
   // All must outlive it.
   JoinedReference(const reference::Profile& profile, grammar::LineSource& lines,
-                  const Tolerances& terms);
+                  const Tolerances& tolerances);
 
   // The current step; the last one (the end, an alarm, not covered) stays.
   const ReferenceStep& current();
@@ -27,7 +27,7 @@ class JoinedReference {
   void take_motion(const Record& record);
   void flush();
 
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   reference::Expander expander_;
   Position position_;              // where the motions so far end
   Position stood_;                 // where the last one that was kept ends

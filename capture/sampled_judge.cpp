@@ -38,17 +38,18 @@ std::string sample_text(const Sample& sample, reference::AxisSet seen) {
 }
 
 SampledRun::SampledRun(const reference::Profile& profile, const ProgramText& program,
-                       const Tolerances& terms, const SampledTerms& sampled,
+                       const Tolerances& tolerances, const SampledTolerances& sampled,
                        reference::AxisSet seen, bool strict, double way_factor)
     : sampled_(sampled),
-      path_(profile, program, terms, seen, approximate(sampled.fastest)),
-      tube_{terms.tolerance, approximate(terms.tolerance), strict},
+      path_(profile, program, tolerances, seen, approximate(sampled.fastest)),
+      tube_{tolerances.tolerance, approximate(tolerances.tolerance), strict},
       start_(profile.initial.at),
       seen_(seen),
       way_factor_(way_factor),
       granted_(approximate(sampled.feed_tolerance)),
       clock_(half_unit(sampled.time_decimals)),
-      wide_{terms.tolerance + sampled.blend, approximate(terms.tolerance + sampled.blend), strict},
+      wide_{tolerances.tolerance + sampled.blend, approximate(tolerances.tolerance + sampled.blend),
+            strict},
       corner_(kCorner * approximate(sampled.blend)),
       holes_(sampled.usual_interval, sampled.longest_interval),
       last_at_(start_) {}

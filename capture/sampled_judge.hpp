@@ -48,7 +48,7 @@
 
 namespace gonogo::oracle {
 
-struct SampledTerms {
+struct SampledTolerances {
   Number feed_tolerance = Number(1) / Number(20);  // part of the feed
   Number fastest = 1000;                           // mm/s, of what has no feed of its own
   std::uint64_t header_lines = 0;                  // of the program that was run, before the case's
@@ -73,8 +73,9 @@ struct WorstSample {
 class SampledRun {
  public:
   // `way_factor`: how many times the way that the feeds allow lies between two samples at most.
-  SampledRun(const reference::Profile& profile, const ProgramText& program, const Tolerances& terms,
-             const SampledTerms& sampled, reference::AxisSet seen, bool strict, double way_factor);
+  SampledRun(const reference::Profile& profile, const ProgramText& program,
+             const Tolerances& tolerances, const SampledTolerances& sampled,
+             reference::AxisSet seen, bool strict, double way_factor);
 
   // The next sample; false when nothing can change the answer.
   bool take(const Sample& sample);
@@ -162,7 +163,7 @@ class SampledRun {
   Verdict feed_verdict(const PathPiece& piece, const FeedWatch::Fault& fault) const;
   void note_feed(std::size_t i, const std::optional<FeedWatch::Fault>& fault);
 
-  const SampledTerms& sampled_;
+  const SampledTolerances& sampled_;
   SampledPath path_;
   Tube tube_;
   Position start_;

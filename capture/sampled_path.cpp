@@ -35,12 +35,12 @@ Motion back_to_start(Motion motion, const Position& shift) {
 }  // namespace
 
 SampledPath::SampledPath(const reference::Profile& profile, const ProgramText& program,
-                         const Tolerances& terms, reference::AxisSet seen, double fastest)
+                         const Tolerances& tolerances, reference::AxisSet seen, double fastest)
     : input_(program),
-      stream_(profile, input_.lines, terms),
+      stream_(profile, input_.lines, tolerances),
       seen_(seen),
       fastest_(fastest),
-      tolerance_(terms.tolerance),
+      tolerance_(tolerances.tolerance),
       at_(profile.initial.at) {}
 
 std::unique_ptr<PathPiece> SampledPath::make(const Motion& motion) const {
@@ -106,9 +106,9 @@ void SampledPath::drop_before(std::size_t i) {
 }
 
 void SampledPath::replay(const reference::Profile& profile, const ProgramText& program,
-                         const Tolerances& terms, std::size_t pieces, ProgramJudge& judge) {
+                         const Tolerances& tolerances, std::size_t pieces, ProgramJudge& judge) {
   ProgramInput input(program);
-  JoinedReference stream(profile, input.lines, terms);
+  JoinedReference stream(profile, input.lines, tolerances);
   for (std::size_t i = 0; i < pieces && !stream.at_end();) {
     const ReferenceStep& step = stream.current();
     if (const auto* motion = std::get_if<Motion>(&step)) {

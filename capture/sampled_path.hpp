@@ -17,7 +17,7 @@ class SampledPath {
  public:
   // `profile`, `program` and `terms` must outlive the path. `seen`: the axes that samples have.
   SampledPath(const reference::Profile& profile, const ProgramText& program,
-              const Tolerances& terms, reference::AxisSet seen, double fastest);
+              const Tolerances& tolerances, reference::AxisSet seen, double fastest);
 
   // Piece `i`; null after the last one, a `stand` or an `open`. It must not have been dropped.
   const PathPiece* piece(std::size_t i);
@@ -28,7 +28,7 @@ class SampledPath {
 
   // The reference's own records up to, not including, piece `i`, to a judge of records.
   static void replay(const reference::Profile& profile, const ProgramText& program,
-                     const Tolerances& terms, std::size_t pieces, ProgramJudge& judge);
+                     const Tolerances& tolerances, std::size_t pieces, ProgramJudge& judge);
 
  private:
   bool pull();

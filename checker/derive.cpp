@@ -15,7 +15,7 @@ bool allows_chords(const Json& header) {
 }  // namespace
 
 Derived derive(const Vector& vector, const Trace& trace, const Json& header) {
-  const Tolerances terms = terms_of(header, vector.dialect, vector.profile);
+  const Tolerances tolerances = tolerances_of(header, vector.dialect, vector.profile);
   Derived derived;
   bool fits = false;
   bool fits_gap = false;
@@ -23,7 +23,7 @@ Derived derive(const Vector& vector, const Trace& trace, const Json& header) {
   for (const Expectation& expectation : vector.expect) {
     derived.answers.push_back(Answer::undecided);
     if (!is_admissible(expectation.when, vector.profile)) continue;
-    Judgement finding = match(vector, expectation, trace, terms);
+    Judgement finding = match(vector, expectation, trace, tolerances);
     if (finding.answer == Answer::departs && allows_chords(header)) {
       finding = {Answer::undecided, "the certifier allows chords for arcs"};
     }

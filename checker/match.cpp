@@ -21,11 +21,11 @@ bool is_among(const std::string& name, const std::string& names) {
 class Match {
  public:
   Match(const Vector& vector, const Expectation& expectation, const Trace& trace,
-        const Tolerances& terms)
+        const Tolerances& tolerances)
       : vector_(vector),
         expectation_(expectation),
         trace_(trace),
-        terms_(terms),
+        tolerances_(tolerances),
         want_(make_path(expectation.records, path_terms(true))),
         got_(make_path(trace.records, path_terms(false))) {}
 
@@ -56,16 +56,16 @@ class Match {
   }
 
  private:
-  PathTerms path_terms(bool wanted) const {
-    PathTerms terms{initial_position(vector_.profile), terms_.tolerance,
-                    renaming_line(vector_.dialect, vector_.program)};
-    terms.keeps_short_arcs = !wanted;
+  PathTolerances path_terms(bool wanted) const {
+    PathTolerances tolerances{initial_position(vector_.profile), tolerances_.tolerance,
+                              renaming_line(vector_.dialect, vector_.program)};
+    tolerances.keeps_short_arcs = !wanted;
     if (wanted) {
-      terms.is_open = [this](const Record& record) {
+      tolerances.is_open = [this](const Record& record) {
         return is_open_path(record, vector_.dialect, vector_.profile);
       };
     }
-    return terms;
+    return tolerances;
   }
 
   // At motion `at` of what must come.
@@ -86,8 +86,8 @@ class Match {
     if (at == want_.motions.size() || next == got_.motions.size()) return false;
     const Motion& want = want_.motions[at];
     const Motion& got = got_.motions[next];
-    const Real near = Real(3) * terms_.tolerance;
-    return agree(want.from, got.from, terms_.tolerance) != Truth::yes &&
+    const Real near = Real(3) * tolerances_.tolerance;
+    return agree(want.from, got.from, tolerances_.tolerance) != Truth::yes &&
            agree(want.from, got.from, near) != Truth::no &&
            agree(want.to, got.to, near) != Truth::no;
   }
@@ -95,7 +95,7 @@ class Match {
   // A motion that one side may have dropped.
   bool is_short(const Motion& motion) const {
     return is_straight(motion) &&
-           agree(motion.from, motion.to, Real(3) * terms_.tolerance) != Truth::no;
+           agree(motion.from, motion.to, Real(3) * tolerances_.tolerance) != Truth::no;
   }
   static bool is_straight(const Motion& motion) {
     return motion.record.kind != RecordKind::dwell && motion.record.kind != RecordKind::arc;
@@ -107,14 +107,14 @@ class Match {
     const Motion& want = want_.motions[at];
     if (is_short(want)) return true;
     return is_straight(want) && next < got_.motions.size() &&
-           agree(got_.motions[next].from, want.to, terms_.tolerance) != Truth::no;
+           agree(got_.motions[next].from, want.to, tolerances_.tolerance) != Truth::no;
   }
 
   // An arc so short that its ends agree: where nothing of it is wanted it is a nil motion.
   bool is_short_arc(const Motion& motion) const {
     const long turns = motion.record.rotation;
     return motion.record.kind == RecordKind::arc && (turns == 1 || turns == -1) &&
-           agree(motion.from, motion.to, terms_.tolerance) == Truth::yes;
+           agree(motion.from, motion.to, tolerances_.tolerance) == Truth::yes;
   }
   // Whether it goes the long way round, or a whole turn in so many words.
   static bool may_go_round(const Motion& arc) {
@@ -134,7 +134,7 @@ class Match {
         return without_short(at, next, departure(at, "One motion too many: " + text(got) + "."));
       }
       const Motion& want = want_.motions[at];
-      if (!current) current.emplace(want, terms_);
+      if (!current) current.emplace(want, tolerances_);
       const StepAnswer step = current->take(got);
       if (step.step == Step::undecided) return {Answer::undecided, step.why};
       if (step.step == Step::departs) {
@@ -183,7 +183,7 @@ class Match {
     if (trace_.alarm.kind.empty()) return {Answer::undecided, "an alarm without a class"};
     const bool is_right = std::ranges::any_of(expectation_.any_of, [&](const auto& alarm) {
       return is_among(alarm.kind, trace_.alarm.kind) &&
-             (!terms_.has_blocks || alarm.block == trace_.alarm.block);
+             (!tolerances_.has_blocks || alarm.block == trace_.alarm.block);
     });
     if (is_right) return {};
     return {Answer::departs, "The alarm is " + trace_.alarm.kind + " in line " +
@@ -196,7 +196,7 @@ class Match {
       return {Answer::departs, "There is an alarm, " + trace_.alarm.kind + ", and none must come."};
     }
     if (trace_.end) {
-      const Truth ends = agree(expectation_.end, *trace_.end, terms_.tolerance);
+      const Truth ends = agree(expectation_.end, *trace_.end, tolerances_.tolerance);
       if (ends == Truth::no) {
         return {Answer::departs, "The end is at " + checker::text(*trace_.end) + ", not at " +
                                      checker::text(expectation_.end) + "."};
@@ -209,7 +209,7 @@ class Match {
   // The M functions in their order; those that the line of an alarm says may come or not. Without
   // lines they may be the last ones. At load the first of them will do.
   Judgement find_functions(long alarm_block, bool at_load) const {
-    if (!terms_.has_functions) return {};
+    if (!tolerances_.has_functions) return {};
     // A program without an end alarms in its last line, whose functions have run (NGC-COM-08).
     std::vector<Record> want = want_.functions;
     std::erase_if(want,
@@ -223,13 +223,13 @@ class Match {
       const bool is_of_line =
           is_due_there || says_m_function(vector_.program, alarm_block, function.m);
       const bool may_be_of_alarm = alarm_block != 0 && is_of_line &&
-                                   (terms_.has_blocks ? function.block == alarm_block
-                                                      : told.size() == want.size() || at_load);
+                                   (tolerances_.has_blocks ? function.block == alarm_block
+                                                           : told.size() == want.size() || at_load);
       if (!may_be_of_alarm) told.push_back(function);
     }
     if (at_load && told.size() < want.size()) want.resize(told.size());
     const bool same = std::ranges::equal(want, told, [&](const auto& x, const auto& y) {
-      return x.m == y.m && (!terms_.has_blocks || x.block == y.block);
+      return x.m == y.m && (!tolerances_.has_blocks || x.block == y.block);
     });
     if (same) return find_places();
     return {Answer::departs, "The M functions are not " + list(want) + " but " + list(told) + "."};
@@ -241,7 +241,7 @@ class Match {
     const bool as_due = got_.behind == want_.behind && !got_.joins_over_function;
     if (as_due || got_.motions.empty()) return {};
     const Judgement unknown{Answer::undecided, "the place of an M function in its block"};
-    if (!terms_.has_blocks) return unknown;
+    if (!tolerances_.has_blocks) return unknown;
     for (std::size_t i = 0; i < got_.functions.size(); ++i) {
       const long block = got_.functions[i].block;
       for (std::size_t k = 0; k < got_.motions.size(); ++k) {
@@ -269,7 +269,7 @@ class Match {
   const Vector& vector_;
   const Expectation& expectation_;
   const Trace& trace_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   Path want_;
   Path got_;
   int tries_ = 64;
@@ -278,8 +278,8 @@ class Match {
 }  // namespace
 
 Judgement match(const Vector& vector, const Expectation& expectation, const Trace& trace,
-                const Tolerances& terms) {
-  Match made(vector, expectation, trace, terms);
+                const Tolerances& tolerances) {
+  Match made(vector, expectation, trace, tolerances);
   Judgement finding = made.find();
   finding.is_doubtful = made.is_doubtful();
   return finding;

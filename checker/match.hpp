@@ -46,6 +46,6 @@ struct Judgement {
 inline constexpr const char* kOpenPath = "the path is open: judged by what it clears";
 
 Judgement match(const Vector& vector, const Expectation& expectation, const Trace& trace,
-                const Tolerances& terms);
+                const Tolerances& tolerances);
 
 }  // namespace gonogo::checker

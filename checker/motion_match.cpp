@@ -81,14 +81,14 @@ namespace {
 // R3: equal, or no farther off than rounding to the resolution makes it; where none is
 // declared, than rounding to the number's own last place and no more coarsely than the machine.
 Truth rounds_to(const Real& want, const Real& got, const std::optional<Rational>& resolution,
-                const Tolerances& terms) {
+                const Tolerances& tolerances) {
   Truth answer = equal(want, got);
   if (answer == Truth::yes) return answer;
   std::optional<Rational> step = resolution;
   if (!step) step = last_place(got);
-  if (step && !resolution) step = std::min(*step, terms.increment);
+  if (step && !resolution) step = std::min(*step, tolerances.increment);
   if (step) answer = answer || within(want, got, Real(Rational(*step / 2)));
-  const bool may_be_double = terms.is_binary64 || (!terms.is_exact && !resolution);
+  const bool may_be_double = tolerances.is_binary64 || (!tolerances.is_exact && !resolution);
   if (may_be_double && want.low() != 0) {
     answer = answer || within(want, got, Real(Rational(2 * ulp_of(want.low()))));
   }
@@ -97,18 +97,18 @@ Truth rounds_to(const Real& want, const Real& got, const std::optional<Rational>
 
 }  // namespace
 
-Truth feed_agrees(const Real& want, const Real& got, const Tolerances& terms) {
-  return rounds_to(want, got, terms.feed_resolution, terms);
+Truth feed_agrees(const Real& want, const Real& got, const Tolerances& tolerances) {
+  return rounds_to(want, got, tolerances.feed_resolution, tolerances);
 }
 
-Truth lead_agrees(const Real& want, const Real& got, const Tolerances& terms) {
-  return rounds_to(want, got, terms.resolution, terms);
+Truth lead_agrees(const Real& want, const Real& got, const Tolerances& tolerances) {
+  return rounds_to(want, got, tolerances.resolution, tolerances);
 }
 
 // Whole turns apart are the same.
-Truth angle_agrees(const Real& want, const Real& got, const Tolerances& terms) {
+Truth angle_agrees(const Real& want, const Real& got, const Tolerances& tolerances) {
   const Rational turns = floor_of(Rational((got - want).low() / 360 + Rational(1, 2)));
-  return rounds_to(want + Real(Rational(turns * 360)), got, terms.resolution, terms);
+  return rounds_to(want + Real(Rational(turns * 360)), got, tolerances.resolution, tolerances);
 }
 
 Truth root_at_most(const Real& x, const Real& y, const Real& t) {
@@ -117,8 +117,8 @@ Truth root_at_most(const Real& x, const Real& y, const Real& t) {
   return at_most(rest, 0) || at_most(rest * rest, Real(4) * t * t * y);
 }
 
-MotionMatch::MotionMatch(const Motion& want, const Tolerances& terms)
-    : want_(want), terms_(terms) {}
+MotionMatch::MotionMatch(const Motion& want, const Tolerances& tolerances)
+    : want_(want), tolerances_(tolerances) {}
 
 StepAnswer MotionMatch::answer(Truth done, const std::string& what) const {
   if (done == Truth::yes) return {Step::done, {}};
@@ -149,23 +149,25 @@ StepAnswer MotionMatch::check_words(const Motion& got) const {
                          (want.kind == RecordKind::arc || want.kind == RecordKind::arc3) &&
                          (have.kind == RecordKind::arc || have.kind == RecordKind::arc3);
   if (both_arcs) {
-    if (agree(want_.to, got.to, terms_.tolerance) == Truth::no) return departs("the ends differ");
+    if (agree(want_.to, got.to, tolerances_.tolerance) == Truth::no)
+      return departs("the ends differ");
     return undecided("an arc is told in another form");
   }
   const bool line_and_arc3 = (want.kind == RecordKind::feed && have.kind == RecordKind::arc3) ||
                              (want.kind == RecordKind::arc3 && have.kind == RecordKind::feed);
-  const bool may_be_flat = line_and_arc3 && agree(want_.to, got.to, terms_.tolerance) != Truth::no;
+  const bool may_be_flat =
+      line_and_arc3 && agree(want_.to, got.to, tolerances_.tolerance) != Truth::no;
   if (may_be_flat) return undecided("an arc that may be as flat as its chord");
   if (want.kind != have.kind) return departs("the kinds differ");
-  if (terms_.has_blocks && have.block == 0) return undecided("a record names no source line");
-  if (terms_.has_blocks && want.block != have.block) return departs("the source lines differ");
+  if (tolerances_.has_blocks && have.block == 0) return undecided("a record names no source line");
+  if (tolerances_.has_blocks && want.block != have.block) return departs("the source lines differ");
   if (want.per_revolution != have.per_revolution) return departs("the units of the feeds differ");
-  Truth same = feed_agrees(want.feed, have.feed, terms_) &&
-               lead_agrees(want.lead, have.lead, terms_) &&
-               angle_agrees(want.start, have.start, terms_);
+  Truth same = feed_agrees(want.feed, have.feed, tolerances_) &&
+               lead_agrees(want.lead, have.lead, tolerances_) &&
+               angle_agrees(want.start, have.start, tolerances_);
   if (same != Truth::yes) return answer(same, "feed, lead or start angle differ");
   if (equal(want.seconds, have.seconds) == Truth::yes) return {};
-  const Truth near = within(want.seconds, have.seconds, terms_.tolerance);
+  const Truth near = within(want.seconds, have.seconds, tolerances_.tolerance);
   // Rounded to the subject's resolution, which is not looked at here.
   return near == Truth::no ? departs("the times differ") : undecided("a dwell may be rounded");
 }
@@ -179,22 +181,23 @@ StepAnswer MotionMatch::take_rapid(const Motion& got) const {
     Real step = *got.to[axis] - *got.from[axis];
     Real beyond = *got.to[axis] - *want_.to[axis];
     if (way.is_zero() == Truth::yes) {
-      allowed = allowed && within(beyond, 0, terms_.tolerance);
+      allowed = allowed && within(beyond, 0, tolerances_.tolerance);
       continue;
     }
     if (way.is_negative() == Truth::yes) {
       step = -step;
       beyond = -beyond;
     }
-    allowed = allowed && at_most(-step, terms_.tolerance) && at_most(beyond, terms_.tolerance);
+    allowed =
+        allowed && at_most(-step, tolerances_.tolerance) && at_most(beyond, tolerances_.tolerance);
   }
   if (allowed != Truth::yes) return answer(allowed, "a traverse leaves the way to its end");
-  const Truth done = agree(want_.to, got.to, terms_.tolerance);
+  const Truth done = agree(want_.to, got.to, tolerances_.tolerance);
   return done == Truth::no ? StepAnswer{Step::part, {}} : answer(done, "the ends may differ");
 }
 
 Truth MotionMatch::bounds_of(const Position& point, Bounds& bounds) const {
-  const Real& tolerance = terms_.tolerance;
+  const Real& tolerance = tolerances_.tolerance;
   Truth on_line = Truth::yes;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!want_.from[axis] || !want_.to[axis] || !point[axis]) continue;
@@ -224,7 +227,7 @@ Truth MotionMatch::goes_back(const Bounds& bounds) const {
     const Real way = absolute(*want_.to[axis] - *want_.from[axis]);
     for (const Real& low : passed_) {
       for (const Real& high : bounds.upper) {
-        forward = forward && at_most((low - high) * way, terms_.tolerance);
+        forward = forward && at_most((low - high) * way, tolerances_.tolerance);
       }
     }
   }
@@ -233,8 +236,8 @@ Truth MotionMatch::goes_back(const Bounds& bounds) const {
 
 StepAnswer MotionMatch::take_line(const Motion& got) {
   // Whole for whole is what is nearly always there.
-  const Truth ends =
-      agree(want_.from, got.from, terms_.tolerance) && agree(want_.to, got.to, terms_.tolerance);
+  const Truth ends = agree(want_.from, got.from, tolerances_.tolerance) &&
+                     agree(want_.to, got.to, tolerances_.tolerance);
   if (passed_.empty() && ends == Truth::yes) return {};
   for (const Position* point : {&got.from, &got.to}) {
     Bounds bounds;
@@ -244,7 +247,7 @@ StepAnswer MotionMatch::take_line(const Motion& got) {
     if (back != Truth::no) return answer(!back, "it goes back along the line");
     passed_.insert(passed_.end(), bounds.lower.begin(), bounds.lower.end());
   }
-  const Truth done = agree(want_.to, got.to, terms_.tolerance);
+  const Truth done = agree(want_.to, got.to, tolerances_.tolerance);
   return done == Truth::no ? StepAnswer{Step::part, {}} : answer(done, "the ends may differ");
 }
 
@@ -253,11 +256,11 @@ StepAnswer MotionMatch::take_arc(const Motion& got) {
   const Record& have = got.record;
   if (want.plane != have.plane) return departs("the planes differ");
   if ((want.rotation < 0) != (have.rotation < 0)) return departs("the senses differ");
-  const Truth centres = agree(want.centre, have.centre, terms_.tolerance);
+  const Truth centres = agree(want.centre, have.centre, tolerances_.tolerance);
   if (centres != Truth::yes) return answer(centres, "the centres differ");
   // Where the radius is about the tolerance, a centre off by that makes another arc of it.
   if (want_.from[want.plane.first] && want_.from[want.plane.second] &&
-      agree(want.centre, have.centre, 0) != Truth::yes && is_tiny(want_, terms_.tolerance)) {
+      agree(want.centre, have.centre, 0) != Truth::yes && is_tiny(want_, tolerances_.tolerance)) {
     return undecided("an arc about as small as the tolerance");
   }
   const std::size_t first = want.plane.first;
@@ -265,7 +268,7 @@ StepAnswer MotionMatch::take_arc(const Motion& got) {
   const bool all_known =
       want_.from[first] && want_.from[second] && got.from[first] && got.from[second];
   if (!all_known) {
-    const Truth whole = agree(want_.to, got.to, terms_.tolerance);
+    const Truth whole = agree(want_.to, got.to, tolerances_.tolerance);
     if (whole == Truth::yes && want.rotation == have.rotation) return {};
     return undecided("an arc begins at a place that is not known");
   }
@@ -284,26 +287,26 @@ StepAnswer MotionMatch::take_arc(const Motion& got) {
 
 StepAnswer MotionMatch::arc_so_far(const Motion& so_far) const {
   const Record& want = want_.record;
-  const Truth starts = agree(want_.from, so_far.from, terms_.tolerance);
+  const Truth starts = agree(want_.from, so_far.from, tolerances_.tolerance);
   if (starts != Truth::yes) return answer(starts, "the starts differ");
-  const Truth ends = agree(want_.to, so_far.to, terms_.tolerance);
+  const Truth ends = agree(want_.to, so_far.to, tolerances_.tolerance);
   if (ends == Truth::no) return part_of_arc(so_far);
   if (ends == Truth::unknown) return undecided("the ends may differ");
   const long wanted = want.rotation < 0 ? -want.rotation : want.rotation;
   const long made = so_far.record.rotation < 0 ? -so_far.record.rotation : so_far.record.rotation;
-  if (!plane_near(want_, Real(3) * terms_.tolerance)) {
+  if (!plane_near(want_, Real(3) * tolerances_.tolerance)) {
     if (wanted == made) return {};
     return made < wanted ? undecided("a helix in pieces") : departs("the turns differ");
   }
   // J-PATH-06. The ends are so near that it depends on the last digits what the last turn is.
-  if (is_tiny(want_, terms_.tolerance)) return undecided("how many turns a small arc makes");
+  if (is_tiny(want_, tolerances_.tolerance)) return undecided("how many turns a small arc makes");
   const auto due = whole_turns(want_);
   const auto told = whole_turns(so_far);
   if (!due || !told) return undecided("how many turns an arc makes");
   if (*due == *told) return {};
   // Rounded, one that has hardly begun may be whole, and a whole one alone may be none.
   const bool may_be_meant = *told == made ? made == 1 && *due == 0 : *due == made;
-  if (!terms_.is_exact && may_be_meant) {
+  if (!tolerances_.is_exact && may_be_meant) {
     return undecided("rounding may decide how many turns an arc makes");
   }
   if (*told > *due) return departs("the turns differ");
@@ -317,7 +320,7 @@ StepAnswer MotionMatch::arc_so_far(const Motion& so_far) const {
 StepAnswer MotionMatch::part_of_arc(const Motion& so_far) const {
   const Record& want = want_.record;
   const Plane& plane = want.plane;
-  const Real& tolerance = terms_.tolerance;
+  const Real& tolerance = tolerances_.tolerance;
   const Real there = distance2(plane, so_far.to, want.centre);
   const Real radii[] = {distance2(plane, want_.from, want.centre),
                         distance2(plane, want_.to, want.centre)};
@@ -347,10 +350,10 @@ StepAnswer MotionMatch::part_of_arc(const Motion& so_far) const {
 }
 
 StepAnswer MotionMatch::take_arc3(const Motion& got) const {
-  const Truth ends =
-      agree(want_.from, got.from, terms_.tolerance) && agree(want_.to, got.to, terms_.tolerance);
+  const Truth ends = agree(want_.from, got.from, tolerances_.tolerance) &&
+                     agree(want_.to, got.to, tolerances_.tolerance);
   if (ends != Truth::yes) return answer(ends, "the ends differ");
-  const Truth middle = agree(want_.record.via, got.record.via, terms_.tolerance);
+  const Truth middle = agree(want_.record.via, got.record.via, tolerances_.tolerance);
   if (middle == Truth::yes) return {};
   return undecided("a circle in space through another point");
 }

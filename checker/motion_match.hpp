@@ -22,7 +22,7 @@ struct StepAnswer {
 class MotionMatch {
  public:
   // Both must outlive it.
-  MotionMatch(const Motion& want, const Tolerances& terms);
+  MotionMatch(const Motion& want, const Tolerances& tolerances);
   // The next motion of the subject.
   StepAnswer take(const Motion& got);
 
@@ -44,16 +44,16 @@ class MotionMatch {
   StepAnswer answer(Truth done, const std::string& what) const;
 
   const Motion& want_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   std::vector<Real> passed_;     // of a line: lower bounds of the points so far
   std::optional<Motion> piece_;  // of an arc: what the subject has done of it
 };
 
 // R3. Feeds, and leads, which are lengths: equal, or no farther off than rounding as
 // declared makes them.
-Truth feed_agrees(const Real& want, const Real& got, const Tolerances& terms);
-Truth lead_agrees(const Real& want, const Real& got, const Tolerances& terms);
-Truth angle_agrees(const Real& want, const Real& got, const Tolerances& terms);
+Truth feed_agrees(const Real& want, const Real& got, const Tolerances& tolerances);
+Truth lead_agrees(const Real& want, const Real& got, const Tolerances& tolerances);
+Truth angle_agrees(const Real& want, const Real& got, const Tolerances& tolerances);
 // sqrt(x) <= sqrt(y) + t, for x, y, t not negative.
 Truth root_at_most(const Real& x, const Real& y, const Real& t);
 

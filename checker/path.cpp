@@ -129,7 +129,9 @@ Truth is_nil(const Motion& motion, const Real& tolerance, bool keeps_short_arcs)
 
 class Builder {
  public:
-  explicit Builder(const PathTerms& terms) : terms_(terms) { path_.end = terms.start; }
+  explicit Builder(const PathTolerances& tolerances) : tolerances_(tolerances) {
+    path_.end = tolerances.start;
+  }
 
   void take(const Record& record, std::size_t place) {
     if (record.kind == RecordKind::m) {
@@ -146,8 +148,8 @@ class Builder {
     }
     motion.to = path_.end;
     motion.place = place;
-    motion.is_open = terms_.is_open && terms_.is_open(record);
-    const Truth nil = is_nil(motion, terms_.tolerance, terms_.keeps_short_arcs);
+    motion.is_open = tolerances_.is_open && tolerances_.is_open(record);
+    const Truth nil = is_nil(motion, tolerances_.tolerance, tolerances_.keeps_short_arcs);
     if (nil == Truth::unknown) path_.is_doubtful = true;
     if (nil == Truth::yes) path_.drops = true;
     if (nil != Truth::yes) append(std::move(motion));
@@ -157,8 +159,8 @@ class Builder {
 
  private:
   void forget_after_renaming(const Record& record) {
-    const bool is_before = record.block != 0 && record.block <= terms_.renaming;
-    if (terms_.renaming == 0 || is_before) return;
+    const bool is_before = record.block != 0 && record.block <= tolerances_.renaming;
+    if (tolerances_.renaming == 0 || is_before) return;
     // Programs are not read here, so that any later line may rename it again.
     path_.is_doubtful = true;
     path_.end = Position();
@@ -179,7 +181,7 @@ class Builder {
     path_.motions.push_back(std::move(motion));
   }
 
-  const PathTerms& terms_;
+  const PathTolerances& tolerances_;
   bool parts_ = false;  // the last motion was dropped
   Path path_;
 };
@@ -246,8 +248,8 @@ std::optional<long> joined_rotation(const Motion& first, const Motion& second) {
   return sense * (is_beyond ? turns : turns - 1);
 }
 
-Path make_path(const std::vector<Record>& records, const PathTerms& terms) {
-  Builder builder(terms);
+Path make_path(const std::vector<Record>& records, const PathTolerances& tolerances) {
+  Builder builder(tolerances);
   for (std::size_t i = 0; i < records.size(); ++i) builder.take(records[i], i);
   return builder.finish();
 }

@@ -32,7 +32,7 @@ struct Path {
   bool drops = false;  // motions no longer than the tolerance
 };
 
-struct PathTerms {
+struct PathTolerances {
   Position start;
   Real tolerance;     // mm or degrees: points no farther apart agree
   long renaming = 0;  // from this line on positions are unknown until they are sent; 0: none
@@ -42,7 +42,7 @@ struct PathTerms {
   bool keeps_short_arcs = false;
 };
 
-Path make_path(const std::vector<Record>& records, const PathTerms& terms);
+Path make_path(const std::vector<Record>& records, const PathTolerances& tolerances);
 
 // Whether no axis that is known on both sides differs by more than the tolerance.
 Truth agree(const Position& p, const Position& q, const Real& tolerance);

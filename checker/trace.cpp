@@ -40,33 +40,35 @@ bool lists(const Json& subject, std::string_view feature) {
 
 }  // namespace
 
-Tolerances terms_of(const Json& header, std::string_view dialect, const Json& profile) {
+Tolerances tolerances_of(const Json& header, std::string_view dialect, const Json& profile) {
   const Json& subject = header.member("subject", Json::Kind::object);
   const Json none;
   const Json* found = subject.find("numeric");
   const Json& numeric = found == nullptr ? none : *found;
-  Tolerances terms;
+  Tolerances tolerances;
   Rational tolerance = resolution(dialect, profile);
   const Rational least = tolerance;  // increment of the machine: the most that a declaration counts
-  terms.resolution = declared(numeric, "resolution");
-  if (terms.resolution && *terms.resolution > least) terms.resolution = least;
-  if (terms.resolution && *terms.resolution < tolerance) tolerance = *terms.resolution;
+  tolerances.resolution = declared(numeric, "resolution");
+  if (tolerances.resolution && *tolerances.resolution > least) tolerances.resolution = least;
+  if (tolerances.resolution && *tolerances.resolution < tolerance)
+    tolerance = *tolerances.resolution;
   const Json* set = header.find("tolerance");
   if (set != nullptr && set->is(Json::Kind::text)) tolerance = parse_rational(set->text);
-  terms.tolerance = tolerance;
-  terms.feed_resolution = declared(numeric, "feed_resolution");
-  if (terms.feed_resolution && *terms.feed_resolution > least) terms.feed_resolution = least;
+  tolerances.tolerance = tolerance;
+  tolerances.feed_resolution = declared(numeric, "feed_resolution");
+  if (tolerances.feed_resolution && *tolerances.feed_resolution > least)
+    tolerances.feed_resolution = least;
   const Json* feeds = header.find("feed_resolution");
   if (feeds != nullptr && feeds->is(Json::Kind::text)) {
-    terms.feed_resolution = parse_rational(feeds->text);
+    tolerances.feed_resolution = parse_rational(feeds->text);
   }
   const Json* kind = numeric.find("kind");
-  terms.increment = least;
-  terms.is_binary64 = kind != nullptr && kind->text == "binary64";
-  terms.is_exact = kind != nullptr && kind->text == "exact";
-  terms.has_blocks = lists(subject, "blocks");
-  terms.has_functions = lists(subject, "m");
-  return terms;
+  tolerances.increment = least;
+  tolerances.is_binary64 = kind != nullptr && kind->text == "binary64";
+  tolerances.is_exact = kind != nullptr && kind->text == "exact";
+  tolerances.has_blocks = lists(subject, "blocks");
+  tolerances.has_functions = lists(subject, "m");
+  return tolerances;
 }
 
 std::optional<Trace> read_trace_file(const std::string& path) {

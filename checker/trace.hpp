@@ -11,7 +11,7 @@
 namespace gonogo::checker {
 
 // Throws Fault.
-Tolerances terms_of(const Json& header, std::string_view dialect, const Json& profile);
+Tolerances tolerances_of(const Json& header, std::string_view dialect, const Json& profile);
 // <id>.jsonl: a record a line, an alarm last. Nothing when there is no such file; throws Fault.
 std::optional<Trace> read_trace_file(const std::string& path);
 // Reads a case line that is not GO: its records, which end nobody knows how, and the alarm where

@@ -35,7 +35,7 @@ std::unique_ptr<oracle::Subject> subject_to_ask(const TrialWords& words) {
   return with_alarm_map(std::move(made), options.alarm_map);
 }
 
-identify::ExplanationTerms terms_of(const TrialWords& words) {
+identify::ExplanationOptions explanation_options(const TrialWords& words) {
   const hunt::TrialOptions options = trial_options(words);
   return {options.tolerance, options.chord, options.feed_resolution, kMostRecordsToExplain};
 }
@@ -78,7 +78,7 @@ hunt::Causes causes_of(const Asked& asked, const std::vector<ProgramAsked>& othe
   if (asked.programs.empty()) return causes;
   const std::unique_ptr<oracle::Subject> subject = subject_to_ask(words);
   const identify::SharedCauses found =
-      find_shared_causes(*subject, asked.programs, others, terms_of(words));
+      find_shared_causes(*subject, asked.programs, others, explanation_options(words));
   for (const identify::SharedCause& cause : found.causes) {
     for (const std::size_t symptom : cause.symptoms) causes[asked.signatures[symptom]] = cause.name;
   }
@@ -163,7 +163,7 @@ std::string KnownMistakes::cause_of(const hunt::Finding& finding) try {
   subject_->renew();
   const generate::GeneratedProgram& program = finding.reproducer.program;
   return identify::known_cause(*subject_, {"finding", program.text, program.profile}, names_,
-                               terms_of(words_));
+                               explanation_options(words_));
 } catch (const oracle::SubjectUnusable&) {
   subject_.reset();
   return {};  // the finding is printed as it is

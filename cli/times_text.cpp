@@ -88,9 +88,9 @@ std::optional<std::vector<reference::Record>> motions_of_reference(
 
 // The coordinates of one motion: of its end, and of its centre.
 void take(oracle::RoundingCensus& census, const reference::Record& want,
-          const reference::Record& got, const oracle::Tolerances& terms) {
+          const reference::Record& got, const oracle::Tolerances& tolerances) {
   const auto compare = [&](const Number& exact, const Number& number) {
-    census.take(exact, number, oracle::is_correctly_rounded(number, exact, terms));
+    census.take(exact, number, oracle::is_correctly_rounded(number, exact, tolerances));
   };
   for (const reference::Axis axis : reference::kLinearAxes) {
     if (want.axes.has(axis) && got.axes.has(axis)) compare(want.to[axis], got.to[axis]);
@@ -102,7 +102,7 @@ void take(oracle::RoundingCensus& census, const reference::Record& want,
 }  // namespace
 
 std::string rounding_text(const reference::Profile& profile, const StoredFile& program,
-                          RecordedTrace& trace, const oracle::Tolerances& terms) {
+                          RecordedTrace& trace, const oracle::Tolerances& tolerances) {
   const auto want = motions_of_reference(profile, program);
   if (!want) return "coordinates: not told, for a part of the path is open.\n";
   oracle::RoundingCensus census;
@@ -112,7 +112,7 @@ std::string rounding_text(const reference::Profile& profile, const StoredFile& p
              [&](const reference::Record& record) {
                if (!reference::is_motion(record.kind) || !alike) return;
                alike = count < want->size() && (*want)[count].kind == record.kind;
-               if (alike) take(census, (*want)[count++], record, terms);
+               if (alike) take(census, (*want)[count++], record, tolerances);
              });
   if (!alike || count != want->size()) {
     return "coordinates: not told, for the motions are not those of the reference one by one.\n";

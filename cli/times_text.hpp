@@ -20,6 +20,6 @@ std::string times_text(const reference::Profile& profile, const StoredFile& prog
 // How the coordinates of an outcome that is not GO are rounded, as far as its motions are those of
 // the reference one by one.
 std::string rounding_text(const reference::Profile& profile, const StoredFile& program,
-                          RecordedTrace& trace, const oracle::Tolerances& terms);
+                          RecordedTrace& trace, const oracle::Tolerances& tolerances);
 
 }  // namespace gonogo::cli

@@ -121,7 +121,7 @@ int explain(const ExplainOptions& options) {
   std::string program = read_file(options.program);
   if (program.empty()) throw UsageError(options.program + " is empty.");
   const reference::Profile machine = load_profile(options.profile);
-  if (machine.dialect == "rs274") add_called_files(options.program, program);
+  add_called_files(machine.dialect, options.program, program);
   const reference::Profile profile = oracle::profile_to_show(machine, program);
   NumberedLines numbered(program);
   check_block(numbered, options.block);
@@ -142,7 +142,7 @@ int explain(const ExplainOptions& options) {
     if (auto* record = std::get_if<reference::Record>(item)) {
       const auto decided_by = expander.take_touched_readings();
       if (!is_shown(record->block)) {
-        time.pass_over(*record);
+        time.leave_out(*record);
         continue;
       }
       time.take(*record);

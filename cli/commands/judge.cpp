@@ -3,7 +3,6 @@
 // gonogo judge: one program and one outcome, recorded or run now.
 #include <fmt/format.h>
 
-#include <array>
 #include <limits>
 
 #include "cli/called_files.hpp"
@@ -42,8 +41,8 @@ struct JudgeOptions {
   LimitOptions limits;
 };
 
-oracle::Tolerances terms_for(const TraceFeatures& features, const JudgeOptions& options,
-                             const reference::Profile& profile) {
+oracle::Tolerances tolerances_for(const TraceFeatures& features, const JudgeOptions& options,
+                                  const reference::Profile& profile) {
   oracle::SubjectInfo subject;
   if (features.blocks) subject.features.insert("blocks");
   if (features.m) subject.features.insert("m");
@@ -73,8 +72,8 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
                                    TraceFeatures& features) {
   features = trace.likely_features();
   for (;;) {
-    const oracle::Tolerances terms = terms_for(features, options, profile);
-    oracle::JudgeSession session(profile, program, terms);
+    const oracle::Tolerances tolerances = tolerances_for(features, options, profile);
+    oracle::JudgeSession session(profile, program, tolerances);
     bool undecided = true;
     const TraceSummary seen = trace.read([&](std::string_view line) { return session.line(line); },
                                          [&](const reference::Record& record) {
@@ -89,7 +88,7 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
     const bool departs = decision(said.verdict.kind) == oracle::Decision::no_go ||
                          said.verdict.kind == oracle::VerdictKind::advice;
     if (departs) {
-      said.verdict.reading = explaining_reading(profile, program, terms, trace, end);
+      said.verdict.reading = explaining_reading(profile, program, tolerances, trace, end);
     }
     return said;
   }
@@ -103,31 +102,21 @@ std::string not_compared_text(const TraceFeatures& features) {
   return text;
 }
 
-std::string text_of(const oracle::ProgramText& program) {
-  std::string text;
-  std::array<char, 1 << 16> chunk;
-  const auto bytes = program.open();
-  while (const std::size_t count = bytes->read(chunk.data(), chunk.size())) {
-    text.append(chunk.data(), count);
-  }
-  return text;
-}
-
 // The same tolerances, for the definition of the relation (docs/relation.md).
-relation::Tolerances terms_of_definition(const oracle::Tolerances& terms,
-                                         const JudgeOptions& options,
-                                         const reference::Profile& profile) {
+relation::Tolerances tolerances_of_definition(const oracle::Tolerances& tolerances,
+                                              const JudgeOptions& options,
+                                              const reference::Profile& profile) {
   relation::Tolerances same;
-  same.tolerance = terms.tolerance;
+  same.tolerance = tolerances.tolerance;
   same.increment = profile.resolution();
-  same.chord = terms.chord;
-  same.resolution = terms.resolution;
-  same.feed_resolution = terms.feed_resolution;
-  same.binary64 = terms.binary64;
+  same.chord = tolerances.chord;
+  same.resolution = tolerances.resolution;
+  same.feed_resolution = tolerances.feed_resolution;
+  same.binary64 = tolerances.binary64;
   same.exact = options.numeric == "exact";
-  same.compare_blocks = terms.compare_blocks;
-  same.compare_m = terms.compare_m;
-  same.strict = terms.strict;
+  same.compare_blocks = tolerances.compare_blocks;
+  same.compare_m = tolerances.compare_m;
+  same.strict = tolerances.strict;
   return same;
 }
 
@@ -140,12 +129,13 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
   if (seen.end.kind != oracle::RunEnd::Kind::ok && seen.end.kind != oracle::RunEnd::Kind::alarm) {
     throw UsageError(seen.end.message);
   }
-  const relation::Tolerances terms =
-      terms_of_definition(terms_for(seen.features, options, profile), options, profile);
+  const relation::Tolerances tolerances =
+      tolerances_of_definition(tolerances_for(seen.features, options, profile), options, profile);
   const oracle::RunEnd end = end_of(seen, options);
   const bool alarms = end.kind == oracle::RunEnd::Kind::alarm;
   const relation::Answer answer =
-      relation::decide(profile, text_of(program), terms, {records, alarms ? &end.alarm : nullptr});
+      relation::decide(profile, text_of(*program.open(), options.program), tolerances,
+                       {records, alarms ? &end.alarm : nullptr});
   Output output;
   output.text() = answer_text(answer) + not_compared_text(seen.features);
   output.tell();
@@ -199,13 +189,13 @@ std::vector<reference::Record> drawn_records(const RecordedTrace& trace) {
 int judge_subject(const JudgeOptions& options, const reference::Profile& profile) {
   TrialWords words{options.subject, options.alarm_map, {}, options.limits};
   words.limits.stated.profile = profile;
-  hunt::TrialOptions terms = trial_options(words);
-  terms.strict = options.limits.strict;
-  terms.most_records = std::numeric_limits<std::size_t>::max();
-  hunt::Trial trial(trial_subject(words), std::move(terms));
+  hunt::TrialOptions of_trial = trial_options(words);
+  of_trial.strict = options.limits.strict;
+  of_trial.most_records = std::numeric_limits<std::size_t>::max();
+  hunt::Trial trial(trial_subject(words), std::move(of_trial));
   check_dialect(trial.info(), profile.dialect);
   std::string program = read_file(options.program);
-  if (profile.dialect == "rs274") add_called_files(options.program, program);
+  add_called_files(profile.dialect, options.program, program);
   const hunt::JudgedRun run = trial.examine({{}, {profile, program}});
   using Kind = oracle::RunEnd::Kind;
   if (run.end.kind == Kind::skip || run.end.kind == Kind::refused) {
@@ -234,29 +224,27 @@ int judge(const JudgeOptions& options) {
     throw UsageError("--sheet draws what the judge says: leave --by-definition out.");
   }
   StoredFile program(options.program);
-  if (profile.dialect == "rs274") program.add_called_files();
+  program.add_called_files(profile.dialect);
+  const auto text = oracle::ProgramText::of_file(program.descriptor());
   RecordedTrace trace(options.trace);
   if (options.by_definition) {
-    return judge_by_definition(options, profile, oracle::ProgramText::of_file(program.descriptor()),
-                               trace);
+    return judge_by_definition(options, profile, text, trace);
   }
   TraceFeatures features;
-  const oracle::SessionVerdict session = judge_trace(
-      options, profile, oracle::ProgramText::of_file(program.descriptor()), trace, features);
+  const oracle::SessionVerdict session = judge_trace(options, profile, text, trace, features);
   if (!options.sheet.empty()) {
-    draw(options, profile, text_of(oracle::ProgramText::of_file(program.descriptor())),
-         session.verdict, drawn_records(trace));
+    draw(options, profile, text_of(*text.open(), options.program), session.verdict,
+         drawn_records(trace));
   }
   Output output;
-  output.text() =
-      told(options, profile, oracle::ProgramText::of_file(program.descriptor()), session.verdict) +
-      not_compared_text(features);
+  output.text() = told(options, profile, text, session.verdict) + not_compared_text(features);
   if (options.time) output.text() += times_text(profile, program, trace);
   if (options.rounding) {
     const auto& compared = session.verdict.coordinates;
-    output.text() += compared ? fmt::format("coordinates: {}\n", compared->text())
-                              : rounding_text(profile, program, trace,
-                                              terms_for(trace.likely_features(), options, profile));
+    output.text() += compared
+                         ? fmt::format("coordinates: {}\n", compared->text())
+                         : rounding_text(profile, program, trace,
+                                         tolerances_for(trace.likely_features(), options, profile));
   }
   output.tell();
   return exit_code_of(session.verdict);

@@ -43,7 +43,7 @@ Expectation expectation_of(const reference::Profile& profile, std::string_view p
         (is_other ? expectation.other_classes : expectation.alarms)
             .push_back({one.alarm, report->block, one.of->word});
       }
-      weakest = basis_of(firmest(*report).clause);
+      weakest = basis_of(best_supported(*report).clause);
     } else if (std::holds_alternative<NotCovered>(*item)) {
       expectation.not_covered = true;
     }

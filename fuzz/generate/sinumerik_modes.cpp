@@ -176,7 +176,7 @@ void SinumerikWriter::syntax_line() {
                           "X=SIN 30\n", "X5 ! Y3\n", "X=5*/2\n"});
 }
 
-void SinumerikWriter::passed_over_block() {
+void SinumerikWriter::ignored_block() {
   count("ignored");
   if (choices_.one_in(2)) return write({code_that_is(Treatment::without_effect)}, Kind::other);
   write({choices_.pick(
@@ -198,14 +198,14 @@ void SinumerikWriter::mode_block() {
     case 6:
       return dwell_block();
     case 7:
-      if (!puts_wrong(4)) return passed_over_block();
+      if (!puts_wrong(4)) return ignored_block();
       return choices_.one_in(3) ? syntax_line() : outside_block();
     case 8:
       return write({new_feed()}, Kind::other);
     case 9:
-      return passed_over_block();
+      return ignored_block();
     case 10:
-      if (choices_.one_in(3)) return passed_over_block();
+      if (choices_.one_in(3)) return ignored_block();
       return write(
           {choices_.pick({"M8", "M9", "M0", "M1", "M6", "M41", "T4", "D2", "H5=3", "T1 D1 M6"})},
           Kind::other);

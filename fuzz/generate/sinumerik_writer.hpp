@@ -53,7 +53,7 @@ class SinumerikWriter final : ProgramWriter {
   void assignment_block();
   void dwell_block();
   void outside_block();
-  void passed_over_block();
+  void ignored_block();
   void syntax_line();
   void units_words(Words& words);
   void feed_mode_words(Words& words);

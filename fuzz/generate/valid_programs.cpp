@@ -35,7 +35,7 @@ std::optional<Refusal> refusal_under(const reference::Profile& profile, const st
   std::size_t items = 0;
   while (const reference::Item* item = expander.next()) {
     if (const auto* report = std::get_if<reference::AlarmReport>(item)) {
-      const reference::Alarm& alarm = firmest(*report);
+      const reference::Alarm& alarm = best_supported(*report);
       return Refusal{report->block,
                      fmt::format("{} {}", reference::clause_name(alarm.clause), name(alarm.alarm))};
     }

@@ -13,7 +13,7 @@
 
 namespace gonogo::identify {
 
-struct AttributionOptions : ExplanationTerms {
+struct AttributionOptions : ExplanationOptions {
   std::size_t alike = 32;   // programs with the code that departs
   std::size_t others = 12;  // and without it
   std::size_t more = 400;   // on which the explanations of all these are tried too

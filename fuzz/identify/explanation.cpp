@@ -58,11 +58,11 @@ std::string plainly_spelled(const ProgramAsked& asked, const KeptOutcome& meant)
 
 }  // namespace
 
-oracle::Tolerances Explainer::terms(const Profile& profile) const {
-  oracle::Tolerances terms = make_tolerances(
+oracle::Tolerances Explainer::tolerances(const Profile& profile) const {
+  oracle::Tolerances tolerances = make_tolerances(
       subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
-  terms.strict = true;  // what it follows, not what a text states
-  return terms;
+  tolerances.strict = true;  // what it follows, not what a text states
+  return tolerances;
 }
 
 std::optional<Observation> Explainer::observe(const ProgramAsked& asked) {
@@ -77,7 +77,7 @@ std::optional<Observation> Explainer::observe(const ProgramAsked& asked) {
   if (shown) seen.program = plainly_spelled(asked, *shown);
   before_.take(asked.profile, seen.program, seen.outcome);
   if (!seen.outcome.answered()) return std::nullopt;
-  seen.verdict = judge_outcome(asked.profile, asked.program, terms(asked.profile),
+  seen.verdict = judge_outcome(asked.profile, asked.program, tolerances(asked.profile),
                                seen.outcome.records, seen.outcome.end)
                      .verdict;
   if (decision(seen.verdict.kind) == Decision::undecided) return std::nullopt;
@@ -93,7 +93,7 @@ std::optional<Observation> Explainer::observe(const ProgramAsked& asked) {
 Fit Explainer::judge_trial(const ChangedRun& trial, const Observation& seen) {
   spent_ += trial.outcome.records.size();
   if (is_spent()) return Fit::no;
-  const oracle::Tolerances on = terms(trial.profile);
+  const oracle::Tolerances on = tolerances(trial.profile);
   if (trial.model) {
     return same_path(*trial.model, trial.outcome, trial.profile.initial.at, on) ? Fit::full
                                                                                 : Fit::no;

@@ -24,7 +24,7 @@ struct ProgramAsked {
 std::vector<ProgramAsked> spread(const std::vector<ProgramAsked>& all, std::size_t most);
 
 // How, and how long, a subject is compared with mistakes.
-struct ExplanationTerms {
+struct ExplanationOptions {
   std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
   std::optional<reference::Number> chord;
   std::optional<reference::Number> feed_resolution;
@@ -40,8 +40,8 @@ enum class Fit : std::uint8_t { no, cut_short, full };
 class Explainer {
  public:
   // Both outlive it.
-  Explainer(oracle::Subject& subject, const ExplanationTerms& terms)
-      : subject_(subject), options_(terms) {}
+  Explainer(oracle::Subject& subject, const ExplanationOptions& options)
+      : subject_(subject), options_(options) {}
 
   // Runs the program on the subject. Nothing: no answer, or one that cannot be judged.
   // Throws SubjectUnusable.
@@ -58,11 +58,11 @@ class Explainer {
   bool is_spent() const { return spent_ > options_.most_records; }
 
  private:
-  oracle::Tolerances terms(const Profile& profile) const;
+  oracle::Tolerances tolerances(const Profile& profile) const;
   Fit judge_trial(const ChangedRun& trial, const Observation& seen);
 
   oracle::Subject& subject_;
-  const ExplanationTerms& options_;
+  const ExplanationOptions& options_;
   std::optional<Profile> configured_;
   Carried before_;
   std::size_t spent_ = 0;  // records, the subject's and the reference's

@@ -94,10 +94,10 @@ oracle::Verdict Identifier::judge(const Item& item, const PartialAssignment& rea
   Profile profile = item.probe->profile;
   profile.readings = base_;
   set_values(profile, readings);
-  oracle::Tolerances terms = make_tolerances(
+  oracle::Tolerances tolerances = make_tolerances(
       subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
-  terms.strict = true;  // what it follows, not what a text states
-  return judge_kept(profile, item.probe->program, terms, run.outcome);
+  tolerances.strict = true;  // what it follows, not what a text states
+  return judge_kept(profile, item.probe->program, tolerances, run.outcome);
 }
 
 std::vector<PartialAssignment> Identifier::explaining(const Item& item,
@@ -152,13 +152,13 @@ void Identifier::check_outcomes(Item& item) {
     if (!outcome) return;
     shown.emplace(leaf.outcome, std::pair{std::move(profile), std::move(*outcome)});
   }
-  oracle::Tolerances terms =
+  oracle::Tolerances tolerances =
       make_tolerances(subject_.info(), probe.profile,
                       {options_.tolerance, options_.chord, options_.feed_resolution});
-  terms.strict = true;
+  tolerances.strict = true;
   const auto passes = [&](const auto& outcome, const auto& under) {
     const oracle::Verdict verdict =
-        judge_kept(under.second.first, probe.program, terms, outcome.second.second);
+        judge_kept(under.second.first, probe.program, tolerances, outcome.second.second);
     return decision(verdict.kind) != Decision::no_go;
   };
   for (auto a = shown.begin(); a != shown.end(); ++a) {
@@ -275,10 +275,10 @@ void Identifier::count_coordinates() {
     for (const ReadingFound& one : found_.readings) {
       if (!one.values.empty()) profile.readings.set(one.key, one.values.front());
     }
-    const oracle::Tolerances terms = make_tolerances(
+    const oracle::Tolerances tolerances = make_tolerances(
         subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
     const oracle::Verdict verdict =
-        judge_kept(profile, item.probe->program, terms, found_.runs[*item.run].outcome);
+        judge_kept(profile, item.probe->program, tolerances, found_.runs[*item.run].outcome);
     if (verdict.coordinates) found_.coordinates.add(*verdict.coordinates);
   }
 }

@@ -43,8 +43,8 @@ std::optional<KeptOutcome> run_reference(const Profile& profile, std::string_vie
 }
 
 oracle::Verdict judge_kept(const Profile& profile, std::string_view program,
-                           const oracle::Tolerances& terms, const KeptOutcome& outcome) {
-  oracle::ProgramJudge judge(profile, program, terms);
+                           const oracle::Tolerances& tolerances, const KeptOutcome& outcome) {
+  oracle::ProgramJudge judge(profile, program, tolerances);
   for (const Record& record : outcome.records) {
     if (!judge.record(record)) break;
   }

@@ -41,6 +41,6 @@ std::optional<KeptOutcome> run_reference(const Profile& profile, std::string_vie
                                          std::size_t most = kMostRecords);
 
 oracle::Verdict judge_kept(const Profile& profile, std::string_view program,
-                           const oracle::Tolerances& terms, const KeptOutcome& outcome);
+                           const oracle::Tolerances& tolerances, const KeptOutcome& outcome);
 
 }  // namespace gonogo::identify

@@ -32,18 +32,20 @@ std::vector<Motion> motions_of(const KeptOutcome& outcome, reference::Position a
   return motions;
 }
 
-bool same_motion(const Motion& a, const Motion& b, const oracle::Tolerances& terms) {
+bool same_motion(const Motion& a, const Motion& b, const oracle::Tolerances& tolerances) {
   const Record& x = a.record;
   const Record& y = b.record;
-  if (x.kind != y.kind || !agree(a.to(), b.to(), terms.tolerance)) return false;
-  if (terms.compare_blocks && x.block != y.block) return false;
+  if (x.kind != y.kind || !agree(a.to(), b.to(), tolerances.tolerance)) return false;
+  if (tolerances.compare_blocks && x.block != y.block) return false;
   const oracle::Number fine =
-      terms.feed_resolution ? *terms.feed_resolution : oracle::Number::millionths(1);
+      tolerances.feed_resolution ? *tolerances.feed_resolution : oracle::Number::millionths(1);
   if (x.feed_mode != y.feed_mode || !agree(x.feed, y.feed, fine)) return false;
-  if (!agree(x.lead, y.lead, terms.tolerance) || !agree(x.seconds, y.seconds, fine)) return false;
+  if (!agree(x.lead, y.lead, tolerances.tolerance) || !agree(x.seconds, y.seconds, fine))
+    return false;
   if (x.kind != RecordKind::arc) return true;
-  return x.plane == y.plane && x.rot == y.rot && agree(x.centre[0], y.centre[0], terms.tolerance) &&
-         agree(x.centre[1], y.centre[1], terms.tolerance);
+  return x.plane == y.plane && x.rot == y.rot &&
+         agree(x.centre[0], y.centre[0], tolerances.tolerance) &&
+         agree(x.centre[1], y.centre[1], tolerances.tolerance);
 }
 
 bool same_end(const RunEnd& model, const RunEnd& subject) {
@@ -56,14 +58,14 @@ bool same_end(const RunEnd& model, const RunEnd& subject) {
 }  // namespace
 
 bool same_path(const KeptOutcome& model, const KeptOutcome& subject,
-               const reference::Position& start, const oracle::Tolerances& terms) {
+               const reference::Position& start, const oracle::Tolerances& tolerances) {
   if (!same_end(model.end, subject.end)) return false;
   try {
-    const std::vector<Motion> a = motions_of(model, start, terms.tolerance);
-    const std::vector<Motion> b = motions_of(subject, start, terms.tolerance);
+    const std::vector<Motion> a = motions_of(model, start, tolerances.tolerance);
+    const std::vector<Motion> b = motions_of(subject, start, tolerances.tolerance);
     if (a.size() != b.size()) return false;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      if (!same_motion(a[i], b[i], terms)) return false;
+      if (!same_motion(a[i], b[i], tolerances)) return false;
     }
     return true;
   } catch (const exact::Undecided&) {

@@ -11,6 +11,6 @@ namespace gonogo::identify {
 // Whether the subject put out what the model says: the same motions after dropping and joining, at
 // the tolerance of the judge, and the same end. `start` is where the program begins.
 bool same_path(const KeptOutcome& model, const KeptOutcome& subject,
-               const reference::Position& start, const oracle::Tolerances& terms);
+               const reference::Position& start, const oracle::Tolerances& tolerances);
 
 }  // namespace gonogo::identify

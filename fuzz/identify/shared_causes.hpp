@@ -33,11 +33,11 @@ struct SharedCauses {
 // The same symptoms in the same order have the same causes. Throws SubjectUnusable.
 SharedCauses find_shared_causes(oracle::Subject& subject, std::span<const ProgramAsked> symptoms,
                                 std::span<const ProgramAsked> others,
-                                const ExplanationTerms& terms);
+                                const ExplanationOptions& options);
 
 // Which of the given mistakes, by name, explains a departure in full: the first that
 // does. Empty: none, or the subject does not depart. Throws SubjectUnusable.
 std::string known_cause(oracle::Subject& subject, const ProgramAsked& symptom,
-                        const std::set<std::string>& names, const ExplanationTerms& terms);
+                        const std::set<std::string>& names, const ExplanationOptions& options);
 
 }  // namespace gonogo::identify

@@ -10,9 +10,10 @@ namespace gonogo::oracle {
 std::optional<oracle::Verdict> run_and_judge(oracle::Subject& subject,
                                              const reference::Profile& profile,
                                              std::string_view program, std::size_t most_records) {
-  oracle::Tolerances terms = make_tolerances(subject.info(), profile, std::nullopt, std::nullopt);
-  terms.strict = true;  // two readings of our own agree where no text says anything, too
-  oracle::JudgeSession session(profile, program, terms);
+  oracle::Tolerances tolerances =
+      make_tolerances(subject.info(), profile, std::nullopt, std::nullopt);
+  tolerances.strict = true;  // two readings of our own agree where no text says anything, too
+  oracle::JudgeSession session(profile, program, tolerances);
   subject.configure(profile);
   std::size_t records = 0;
   bool too_long = false;

@@ -39,9 +39,9 @@ oracle::Verdict judge_reference(const reference::Profile& profile, std::string_v
                                 const ReferenceRun& run) {
   oracle::SubjectInfo subject;
   subject.features = {"blocks", "m"};
-  oracle::Tolerances terms = make_tolerances(subject, profile, std::nullopt, std::nullopt);
-  terms.strict = true;  // the reference departs from nothing of its own
-  return judge_outcome(profile, program, terms, run.records, run.end).verdict;
+  oracle::Tolerances tolerances = make_tolerances(subject, profile, std::nullopt, std::nullopt);
+  tolerances.strict = true;  // the reference departs from nothing of its own
+  return judge_outcome(profile, program, tolerances, run.records, run.end).verdict;
 }
 
 }  // namespace gonogo::oracle

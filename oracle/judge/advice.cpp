@@ -4,8 +4,8 @@
 namespace gonogo::oracle {
 
 // J-ALM-01
-Verdict advised(Verdict departure, const Tolerances& terms) {
-  if (terms.strict || !reference::is_silent(departure.clause)) return departure;
+Verdict advised(Verdict departure, const Tolerances& tolerances) {
+  if (tolerances.strict || !reference::is_silent(departure.clause)) return departure;
   departure.departure = departure.kind;
   departure.kind = VerdictKind::advice;
   return departure;

@@ -11,6 +11,6 @@ namespace gonogo::oracle {
 // J-ALM-03: the departure as an advice, where no text states its clause and the certifier is not
 // strict; else as it is. REQUIRES: it is what the other answer to the clause's question would be.
 // Nothing else is an advice.
-Verdict advised(Verdict departure, const Tolerances& terms);
+Verdict advised(Verdict departure, const Tolerances& tolerances);
 
 }  // namespace gonogo::oracle

@@ -16,9 +16,9 @@ using reference::AlarmReport;
 using reference::NotCovered;
 using reference::Renaming;
 
-Alignment::Alignment(ReferenceSteps& steps, const Position& start, const Tolerances& terms,
+Alignment::Alignment(ReferenceSteps& steps, const Position& start, const Tolerances& tolerances,
                      OpenStepMemory& memory)
-    : steps_(steps), terms_(terms), memory_(memory), hypotheses_(1) {
+    : steps_(steps), tolerances_(tolerances), memory_(memory), hypotheses_(1) {
   hypotheses_.front().at = hypotheses_.front().anchor = start;
 }
 
@@ -35,7 +35,7 @@ bool Alignment::take_motion(const Record& record, std::size_t number) {
   for (Hypothesis& from : std::exchange(hypotheses_, {})) {
     Motion motion = motion_from(from.at, record, number);
     if (record.kind == RecordKind::arc3) motion = straightened(std::move(motion));
-    if (!terms_.compare_blocks) motion.record.block = 0;  // R3
+    if (!tolerances_.compare_blocks) motion.record.block = 0;  // R3
     walk(std::move(from), std::move(motion), stage);
   }
   return finish(std::move(stage.reached));
@@ -63,8 +63,8 @@ bool Alignment::settle() {
 // A hypothesis that is given up undecided may be right, until all others are past its step.
 bool Alignment::finish(std::vector<Hypothesis> reached) {
   if (reached.size() > kMostHypotheses) {
-    doubt(reached.front().step,
-          gap_verdict(GapReason::cap_ways, "The motions may be meant in too many ways."));
+    leave_undecided(reached.front().step,
+                    gap_verdict(GapReason::cap_ways, "The motions may be meant in too many ways."));
     reached.clear();
   }
   hypotheses_ = std::move(reached);
@@ -73,7 +73,7 @@ bool Alignment::finish(std::vector<Hypothesis> reached) {
   return true;
 }
 
-void Alignment::doubt(std::size_t step, Verdict gap) {
+void Alignment::leave_undecided(std::size_t step, Verdict gap) {
   if (gap_) return;
   gap_ = std::move(gap);
   gap_step_ = step;
@@ -82,17 +82,17 @@ void Alignment::doubt(std::size_t step, Verdict gap) {
 // R9.
 bool Alignment::passes_too_many(const Hypothesis& from, std::size_t passed) {
   if (passed <= kMostSmall) return false;
-  doubt(from.step, gap_verdict(GapReason::cap_small, kTooManySmall));
+  leave_undecided(from.step, gap_verdict(GapReason::cap_small, kTooManySmall));
   return true;
 }
 
 void Alignment::refute(Refutation refutation) {
   if (refutation.answer.departure == Departure::undecided) {
-    return doubt(refutation.from.step,
-                 gap_verdict(refutation.answer.gap, std::move(refutation.answer.reason)));
+    return leave_undecided(refutation.from.step,
+                           gap_verdict(refutation.answer.gap, std::move(refutation.answer.reason)));
   }
   if (refutation.verdict && refutation.verdict->kind == VerdictKind::oracle_gap) {
-    return doubt(refutation.from.step, *std::move(refutation.verdict));
+    return leave_undecided(refutation.from.step, *std::move(refutation.verdict));
   }
   const bool is_farther = !farthest_ || refutation.from.step > farthest_->from.step;
   if (is_farther) farthest_ = std::move(refutation);
@@ -130,7 +130,7 @@ void Alignment::stay(Hypothesis from, const Motion& motion, Stage& stage) {
 }
 
 void Alignment::walk(Hypothesis from, Motion motion, Stage& stage) {
-  const bool is_small = stays_at(from.at, motion, terms_);
+  const bool is_small = stays_at(from.at, motion, tolerances_);
   for (std::size_t passed = 0;; ++passed) {
     if (stage.branches && from.is_fresh() && !stage.seen.insert(from.step).second) return;
     if (is_small && passed > kMostHypotheses) return;
@@ -140,7 +140,7 @@ void Alignment::walk(Hypothesis from, Motion motion, Stage& stage) {
     try {
       if (!meet(from, motion, stage)) return;
     } catch (const exact::Undecided& undecided) {
-      return doubt(here, undecided_verdict(undecided));
+      return leave_undecided(here, undecided_verdict(undecided));
     }
   }
 }
@@ -166,26 +166,26 @@ bool Alignment::meet(Hypothesis& from, Motion& motion, Stage& stage) {
 
 void Alignment::meet_outside(Hypothesis from, const Motion& motion, const NotCovered& outside,
                              Stage& stage) {
-  if (leads_nowhere(from, motion, step_of(from).place)) return stay(std::move(from), motion, stage);
-  doubt(from.step, not_covered_verdict(outside));
+  if (is_negligible(from, motion, step_of(from).place)) return stay(std::move(from), motion, stage);
+  leave_undecided(from.step, not_covered_verdict(outside));
 }
 
 // R3: it keeps to where the reference stands, and to where the subject's last motion that led
 // anywhere ended, or goes on from there.
-bool Alignment::leads_nowhere(const Hypothesis& from, const Motion& motion,
+bool Alignment::is_negligible(const Hypothesis& from, const Motion& motion,
                               const Position& place) const {
-  return stays_at(place, motion, terms_) &&
-         (stays_at(from.anchor, motion, terms_) || (from.is_fresh() && ends_left(from, motion)));
+  return stays_at(place, motion, tolerances_) && (stays_at(from.anchor, motion, tolerances_) ||
+                                                  (from.is_fresh() && ends_left(from, motion)));
 }
 
 // R1. A piece before it came within the tolerance of the end; this one may end beyond it.
 bool Alignment::ends_left(const Hypothesis& from, const Motion& motion) const {
-  return from.left && stays_at(from.left->motion().to(), motion, terms_) &&
+  return from.left && stays_at(from.left->motion().to(), motion, tolerances_) &&
          !from.left->follow(from.left_progress, motion).departs();
 }
 
 bool Alignment::can_pass(const Hypothesis& from, const Motion& want) const {
-  return same_place(from.at, want.to(), terms_) && !goes_round(want, terms_.tolerance);
+  return same_place(from.at, want.to(), tolerances_) && !goes_round(want, tolerances_.tolerance);
 }
 
 void Alignment::leave_motion(Hypothesis& from) {
@@ -200,17 +200,18 @@ void Alignment::leave_motion(Hypothesis& from) {
 bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
   const auto& renaming = std::get<Renaming>(step.what);
-  if (terms_.compare_blocks && motion.record.block <= renaming.block) {
-    if (leads_nowhere(from, motion, step.place)) {
+  if (tolerances_.compare_blocks && motion.record.block <= renaming.block) {
+    if (is_negligible(from, motion, step.place)) {
       stay(std::move(from), motion, stage);
     } else {
       refute(from, motion, before_renaming(motion, step.what));
     }
     return false;
   }
-  if (!same_place(motion.from, from.at, terms_)) {
-    doubt(from.step, gap_verdict(GapReason::two_readings,
-                                 "A motion of the subject spans a renaming of the position."));
+  if (!same_place(motion.from, from.at, tolerances_)) {
+    leave_undecided(from.step,
+                    gap_verdict(GapReason::two_readings,
+                                "A motion of the subject spans a renaming of the position."));
     return false;
   }
   from.at = motion.from;  // negligible motions may have been omitted before it
@@ -226,7 +227,7 @@ bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
 
 bool Alignment::go_on_behind_end(Hypothesis& hypothesis, Verdict departure) {
   if (!is_silent_end(step_of(hypothesis).what)) return false;
-  departure = advised(std::move(departure), terms_);
+  departure = advised(std::move(departure), tolerances_);
   if (departure.kind != VerdictKind::advice) return false;
   if (!hypothesis.instead) hypothesis.instead = std::move(departure);
   ++hypothesis.step;
@@ -236,12 +237,12 @@ bool Alignment::go_on_behind_end(Hypothesis& hypothesis, Verdict departure) {
 // Where no motion is due: at a dwell, an alarm or the end. True: behind the end.
 bool Alignment::meet_last(Hypothesis& from, const Motion& motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
-  if (leads_nowhere(from, motion, step.place)) {
+  if (is_negligible(from, motion, step.place)) {
     stay(from, motion, stage);
     return false;
   }
   auto* report = std::get_if<AlarmReport>(&step.what);
-  const bool is_earlier = report != nullptr && terms_.compare_blocks && steps_.is_in_order() &&
+  const bool is_earlier = report != nullptr && tolerances_.compare_blocks && steps_.is_in_order() &&
                           motion.record.block < report->block;
   if (report != nullptr && !is_earlier) {
     from.after_alarm = motion;

@@ -81,7 +81,7 @@ struct Forgiven {
 class Alignment {
  public:
   // All must outlive it.
-  Alignment(ReferenceSteps& steps, const Position& start, const Tolerances& terms,
+  Alignment(ReferenceSteps& steps, const Position& start, const Tolerances& tolerances,
             OpenStepMemory& memory);
 
   // The subject's next motion, or dwell. False: no hypothesis explains it (see `refutation`).
@@ -184,7 +184,7 @@ class Alignment {
   OtherOrder late_dwell(const ReferenceStep& due) const;
   bool meet_dwell(Hypothesis& from, const Record& record, std::size_t number);
 
-  bool leads_nowhere(const Hypothesis& from, const Motion& motion, const Position& place) const;
+  bool is_negligible(const Hypothesis& from, const Motion& motion, const Position& place) const;
   // Whether it is one more piece of the motion that the subject has left.
   bool ends_left(const Hypothesis& from, const Motion& motion) const;
   bool can_pass(const Hypothesis& from, const Motion& want) const;
@@ -195,7 +195,7 @@ class Alignment {
   void refute(Refutation refutation);
   void refute(Hypothesis from, const Motion& motion, Verdict verdict);
   void refute(Hypothesis from, Verdict verdict);
-  void doubt(std::size_t step, Verdict gap);
+  void leave_undecided(std::size_t step, Verdict gap);
   bool passes_too_many(const Hypothesis& from, std::size_t passed);
   const ReferenceSteps::Step& step_of(const Hypothesis& from) { return steps_.at(from.step); }
   // Behind those that are joined.
@@ -204,7 +204,7 @@ class Alignment {
   }
 
   ReferenceSteps& steps_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   OpenStepMemory& memory_;
   std::vector<Hypothesis> hypotheses_;
   std::optional<Refutation> farthest_;

@@ -27,7 +27,8 @@ bool may_come_behind(const DueMFunction& due, const ReferenceSteps::Step& step) 
 }  // namespace
 
 bool Alignment::is_told(const DueMFunction& due, const Record& record) const {
-  return due.record.m == record.m && (!terms_.compare_blocks || due.record.block == record.block);
+  return due.record.m == record.m &&
+         (!tolerances_.compare_blocks || due.record.block == record.block);
 }
 
 // R5. Those of both sides are partners in their order, but for those of one block, which have none
@@ -67,7 +68,7 @@ Alignment::MFunction Alignment::meet_m_function(Hypothesis& from, const Record& 
     } else if (std::holds_alternative<AlarmReport>(step.what)) {
       return MFunction::of_alarm;
     } else if (auto* outside = std::get_if<NotCovered>(&step.what)) {
-      doubt(from.step, not_covered_verdict(*outside));
+      leave_undecided(from.step, not_covered_verdict(*outside));
       return MFunction::departs;
     } else if (may_come_early(from, record)) {
       return MFunction::taken;
@@ -147,16 +148,16 @@ const DueMFunction* Alignment::overdue_at(std::size_t number) {
 // A new name of the position shows in no record, and an alarm has rules of its own (R6).
 const DueMFunction* Alignment::overdue(const Hypothesis& from) {
   const ReferenceStep& what = step_of(from).what;
-  const bool is_passed_over = !from.is_fresh() || from.after_alarm ||
-                              std::holds_alternative<reference::Renaming>(what) ||
-                              std::holds_alternative<AlarmReport>(what);
-  return is_passed_over ? nullptr : overdue_at(from.step);
+  const bool is_ignored = !from.is_fresh() || from.after_alarm ||
+                          std::holds_alternative<reference::Renaming>(what) ||
+                          std::holds_alternative<AlarmReport>(what);
+  return is_ignored ? nullptr : overdue_at(from.step);
 }
 
 bool Alignment::waits_for_m_function(Hypothesis& from, const Motion& motion, Stage& stage) {
   const DueMFunction* due = overdue(from);
   if (due == nullptr) return false;
-  if (leads_nowhere(from, motion, step_of(from).place)) {
+  if (is_negligible(from, motion, step_of(from).place)) {
     stay(std::move(from), motion, stage);
   } else {
     refute_missing(std::move(from), *due, record_text(motion.record), motion.number);
@@ -219,7 +220,7 @@ bool Alignment::may_come_early(const Hypothesis& from, const Record& record) {
 // R6: of a block that alarms, with what a reading has moved of it.
 bool Alignment::may_be_of_alarm(const Hypothesis& from, const Record& record) {
   const std::uint64_t block = step_of(from).block;
-  if (terms_.compare_blocks && record.block != block) return false;
+  if (tolerances_.compare_blocks && record.block != block) return false;
   for (std::size_t number = from.step; number < from.step + kLookAhead; ++number) {
     const ReferenceSteps::Step& step = steps_.at(number);
     if (step.block != block) return false;

@@ -40,9 +40,9 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   const bool is_arc = is_round(from.curve->motion().record.kind);
   const bool departs = answer.departs();
   const bool is_between_pieces =
-      !as_it_was.is_fresh() && departs && stays_at(as_it_was.anchor, motion, terms_);
+      !as_it_was.is_fresh() && departs && stays_at(as_it_was.anchor, motion, tolerances_);
   const bool is_nil = is_between_pieces || ((as_it_was.is_fresh() || is_arc) &&
-                                            leads_nowhere(as_it_was, motion, step.place));
+                                            is_negligible(as_it_was, motion, step.place));
   const bool is_done = std::ranges::any_of(answer.ways, [](const auto& way) { return way.done; });
   if (is_done || (!departs && (is_arc || !is_nil))) {
     if (take_ways(from, motion, answer, stage)) return false;
@@ -52,7 +52,7 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   // A motion of an earlier block passes nothing of this one.
   const Motion& want = wanted(as_it_was, step);
   const bool is_earlier =
-      terms_.compare_blocks && steps_.is_in_order() && motion.record.block < want.record.block;
+      tolerances_.compare_blocks && steps_.is_in_order() && motion.record.block < want.record.block;
   if (!is_earlier && can_pass(as_it_was, want)) {
     from = as_it_was;
     leave_motion(from);
@@ -73,7 +73,7 @@ bool Alignment::join_motion(Hypothesis& from) {
   if (!moves_nothing(*motion)) {
     Motion both = from.curve->motion();
     if (!join(both, *motion)) return false;
-    from.curve = std::make_shared<Curve>(std::move(both), terms_);
+    from.curve = std::make_shared<Curve>(std::move(both), tolerances_);
   }
   ++from.joined;
   return true;
@@ -105,12 +105,12 @@ bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const Cu
     Hypothesis next = from;
     next.at = next.anchor = motion.to();
     if (way.done) {
-      const Grade grade = grade_of(motion, want, terms_, &next.coordinates);
+      const Grade grade = grade_of(motion, want, tolerances_, &next.coordinates);
       next.exact = next.exact && grade.exact;
       next.rounded = next.rounded && grade.rounded;
       is_exact = is_exact || grade.exact;
-      if (way.progress.doubt != nullptr && !next.instead) {
-        next.instead = gap_verdict(way.progress.gap, way.progress.doubt);
+      if (way.progress.undecided_because != nullptr && !next.instead) {
+        next.instead = gap_verdict(way.progress.gap, way.progress.undecided_because);
       }
       leave_motion(next);
     } else {
@@ -127,7 +127,7 @@ bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const Cu
 void Alignment::take_longer_end(const Hypothesis& from, const Motion& motion, Stage& stage) {
   const ReferenceStep& next = step_behind(from).what;
   const auto* end = std::get_if<Motion>(&next);
-  if (end == nullptr || !same_place(end->to(), motion.to(), terms_)) return;
+  if (end == nullptr || !same_place(end->to(), motion.to(), tolerances_)) return;
   Hypothesis longer = from;
   if (!join_step(longer)) return;
   CurveAnswer answer = longer.curve->follow(longer.progress, motion);
@@ -147,12 +147,12 @@ void Alignment::depart(const Hypothesis& from, const Motion& motion, CurveAnswer
 // Without line numbers a motion may be joined to those of a block that is not covered: then its end
 // says nothing.
 bool Alignment::leads_outside(const Hypothesis& from, const Motion& motion) {
-  if (terms_.compare_blocks) return false;
+  if (tolerances_.compare_blocks) return false;
   Hypothesis longer = from;
   while (longer.curve->goes_beyond(longer.progress, motion)) {
     const ReferenceStep& next = step_behind(longer).what;
     if (auto* outside = std::get_if<NotCovered>(&next)) {
-      doubt(longer.step + longer.joined + 1, not_covered_verdict(*outside));
+      leave_undecided(longer.step + longer.joined + 1, not_covered_verdict(*outside));
       return true;
     }
     if (!join_step(longer)) return false;
@@ -182,7 +182,7 @@ bool Alignment::leads_into_open_step(const Hypothesis& from, const Motion& motio
   Hypothesis beyond = from;
   leave_motion(beyond);
   const ReferenceSteps::Step& next = steps_.at(beyond.step);
-  if (!make_open_step(next, terms_, memory_) || block_of(next.what) != want.record.block ||
+  if (!make_open_step(next, tolerances_, memory_) || block_of(next.what) != want.record.block ||
       overdue(beyond) != nullptr) {
     return false;
   }
@@ -202,7 +202,7 @@ bool Alignment::leads_into_open_step(const Hypothesis& from, const Motion& motio
 bool Alignment::takes_coarse_centre(const Hypothesis& from, const Motion& motion,
                                     const CurveAnswer& answer, Stage& stage) {
   std::optional<Verdict> advice =
-      coarse_centre_advice(answer, motion, from.curve->motion(), terms_);
+      coarse_centre_advice(answer, motion, from.curve->motion(), tolerances_);
   if (!advice) return false;
   Hypothesis next = from;
   if (!next.instead) next.instead = std::move(advice);

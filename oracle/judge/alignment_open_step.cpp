@@ -13,12 +13,12 @@ namespace gonogo::oracle {
 using reference::Renaming;
 
 void Alignment::begin_open_step(Hypothesis& from) {
-  from.open = make_open_step(step_of(from), terms_, memory_);
+  from.open = make_open_step(step_of(from), tolerances_, memory_);
 }
 
 void Alignment::meet_open_step(Hypothesis from, Motion motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
-  if (terms_.compare_blocks && motion.record.block > block_of(step.what)) {
+  if (tolerances_.compare_blocks && motion.record.block > block_of(step.what)) {
     return meet_behind_open_step(std::move(from), motion, stage);
   }
   if (from.waiting && join(*from.waiting, motion)) {
@@ -27,12 +27,12 @@ void Alignment::meet_open_step(Hypothesis from, Motion motion, Stage& stage) {
   }
   const bool is_begun = from.open != nullptr;
   if (!is_begun) begin_open_step(from);
-  const bool is_earlier = terms_.compare_blocks && motion.record.block < block_of(step.what);
+  const bool is_earlier = tolerances_.compare_blocks && motion.record.block < block_of(step.what);
   const bool stays =
-      stays_at(from.anchor, motion, terms_) || (!is_begun && ends_left(from, motion));
+      stays_at(from.anchor, motion, tolerances_) || (!is_begun && ends_left(from, motion));
   const bool is_small = motion.record.kind != RecordKind::arc && stays && !from.open->sees(motion);
   const bool is_before =
-      (is_earlier || from.open->is_before(motion)) && stays_at(step.place, motion, terms_);
+      (is_earlier || from.open->is_before(motion)) && stays_at(step.place, motion, tolerances_);
   const bool may_be_behind = is_small && from.open->may_be_left_by(motion);
   if ((is_small || is_before) && !may_be_behind) {
     if (!is_begun) from.open.reset();
@@ -61,7 +61,7 @@ void Alignment::meet_behind_open_step(Hypothesis from, const Motion& motion, Sta
     const Passing passing = pass(from);
     if (!passing.passed) {
       const bool is_nil = motion.record.kind != RecordKind::arc &&
-                          stays_at(from.anchor, motion, terms_) &&
+                          stays_at(from.anchor, motion, tolerances_) &&
                           !from.open->is_judged_when_left();
       if (is_nil) return stay(std::move(from), motion, stage);
       if (passing.why_not) refute(from, motion, *passing.why_not);
@@ -84,7 +84,7 @@ bool Alignment::take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached)
   }
   const bool is_ended = answer.kind == OpenStepAnswer::Kind::ended;
   // J-CMP-09: a motion counts where a free step has taken it, or its first part.
-  if (!is_ended || !agree(answer.here, motion.from, terms_.tolerance)) ++from.property_motions;
+  if (!is_ended || !agree(answer.here, motion.from, tolerances_.tolerance)) ++from.property_motions;
   if (!is_ended) {
     if (answer.cost == OpenStepAnswer::Cost::free) ++forgiven_.records;
     if (answer.cost == OpenStepAnswer::Cost::level_cut) ++forgiven_.level_cuts;
@@ -101,8 +101,9 @@ bool Alignment::take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached)
 bool Alignment::leave_open_step(Hypothesis& from, const Position& here) {
   const OpenStep::Exit exit = from.open->exit(here);
   if (!steps_.go_on_from(from.step, exit.at, exit.moves_machine)) {
-    doubt(from.step, gap_verdict(GapReason::two_readings,
-                                 "The motions of an open path may be meant in several ways."));
+    leave_undecided(from.step,
+                    gap_verdict(GapReason::two_readings,
+                                "The motions of an open path may be meant in several ways."));
     return false;
   }
   from.open.reset();

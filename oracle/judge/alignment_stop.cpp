@@ -22,7 +22,7 @@ bool Alignment::take_dwell(const Record& record, std::size_t number) {
 
 OtherOrder Alignment::late_dwell(const ReferenceStep& due) const {
   if (dwell_of(due) == nullptr) return {};
-  return {[due, this](const Record& record) { return is_dwell_due(due, record, terms_); },
+  return {[due, this](const Record& record) { return is_dwell_due(due, record, tolerances_); },
           "A dwell comes later than it is due."};
 }
 
@@ -38,17 +38,17 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
       return false;
     }
     if (auto* outside = std::get_if<NotCovered>(&what)) {
-      doubt(from.step, not_covered_verdict(*outside));
+      leave_undecided(from.step, not_covered_verdict(*outside));
       return false;
     }
     const auto* report = std::get_if<AlarmReport>(&what);
-    const bool is_earlier = report != nullptr && terms_.compare_blocks && steps_.is_in_order() &&
-                            record.block < report->block;
+    const bool is_earlier = report != nullptr && tolerances_.compare_blocks &&
+                            steps_.is_in_order() && record.block < report->block;
     if (report != nullptr && !is_earlier) {
       from.after_alarm = motion_from(from.at, record, number);
       return true;
     }
-    if (is_dwell_due(what, record, terms_)) {
+    if (is_dwell_due(what, record, tolerances_)) {
       ++from.step;
       return true;
     }
@@ -58,7 +58,7 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
     refute(from, *std::move(passing.why_not));
     return false;
   }
-  Verdict verdict = wrong_dwell(record, number, from, steps_, terms_);
+  Verdict verdict = wrong_dwell(record, number, from, steps_, tolerances_);
   if (go_on_behind_end(from, verdict)) return meet_dwell(from, record, number);
   refute(from, std::move(verdict));
   return false;

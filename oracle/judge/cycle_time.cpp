@@ -113,7 +113,7 @@ void CycleTime::take(const Record& record) {
   }
 }
 
-void CycleTime::pass_over(const Record& record) {
+void CycleTime::leave_out(const Record& record) {
   if (reference::is_motion(record.kind)) at_ = motion_from(at_, record, 0).to();
 }
 

@@ -28,7 +28,7 @@ class CycleTime {
 
   void take(const Record& record);
   // The machine gets where the record ends, and no time is counted.
-  void pass_over(const Record& record);
+  void leave_out(const Record& record);
   // The position gets a new name: new less old coordinate.
   void rename(const Position& by) { shift(at_, by); }
 

@@ -23,7 +23,7 @@ bool ProgramJudge::line(std::string_view line) {
 }
 
 bool ProgramJudge::equal_record(const Record& record) {
-  if (!terms_.compare_blocks || !terms_.skip_equal) return false;
+  if (!tolerances_.compare_blocks || !tolerances_.skip_equal) return false;
   if (!in_step_ && !fall_into_step()) return false;
   if (!plain_ahead() || !in_step_->next.is(record)) {
     leave_step();
@@ -52,7 +52,7 @@ bool ProgramJudge::plain_ahead() {
     step.ahead = reference_.next_item();
     const auto* record = step.ahead == nullptr ? nullptr : std::get_if<Record>(step.ahead);
     step.is_plain =
-        record != nullptr && step.next.take(*record, step.at) && step.next.is_visible(terms_);
+        record != nullptr && step.next.take(*record, step.at) && step.next.is_visible(tolerances_);
   }
   return step.is_plain;
 }

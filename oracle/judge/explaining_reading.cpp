@@ -49,7 +49,7 @@ std::vector<std::string_view> other_values(const reference::Profile& profile,
 }  // namespace
 
 std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
-                               const Tolerances& terms, const RecordSeries& records,
+                               const Tolerances& tolerances, const RecordSeries& records,
                                const RunEnd& end, std::size_t most_records) {
   // A program that goes on far beyond what the subject sent is looked at as far as that.
   const std::size_t most_items = kMostTimes * records.size() + kMostIdle;
@@ -61,7 +61,7 @@ std::string explaining_reading(const reference::Profile& profile, const ProgramT
       cost +=
           assignments_of(other, program, most_items).choices.size() * (records.size() + kExpansion);
       if (cost > most_records) return {};
-      const SessionVerdict session = judge_outcome(other, program, terms, records, end);
+      const SessionVerdict session = judge_outcome(other, program, tolerances, records, end);
       if (decision(session.verdict.kind) == Decision::go) {
         return fmt::format("{}={}", reading.name, value);
       }
@@ -71,9 +71,10 @@ std::string explaining_reading(const reference::Profile& profile, const ProgramT
 }
 
 std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
-                               const Tolerances& terms, std::span<const Record> records,
+                               const Tolerances& tolerances, std::span<const Record> records,
                                const RunEnd& end, std::size_t most_records) {
-  return explaining_reading(profile, program, terms, RecordsInMemory(records), end, most_records);
+  return explaining_reading(profile, program, tolerances, RecordsInMemory(records), end,
+                            most_records);
 }
 
 }  // namespace gonogo::oracle

@@ -54,21 +54,21 @@ std::vector<Number> lengths_between(const Record& traverse, const Position& subj
 }  // namespace
 
 struct JudgeSession::Fork {
-  Fork(const Profile& its, const ProgramText& program, const Tolerances& terms,
+  Fork(const Profile& its, const ProgramText& program, const Tolerances& tolerances,
        AssignmentSet its_set, Forking forking)
       : set(std::move(its_set)),
         profile(std::make_shared<const Profile>(with_readings(its, set.taken()))),
-        judge(*profile, program, terms, &set, forking) {}
+        judge(*profile, program, tolerances, &set, forking) {}
   AssignmentSet set;
   const std::shared_ptr<const Profile> profile;
   ProgramJudge judge;
 };
 
 JudgeSession::JudgeSession(const Profile& profile, const ProgramText& program,
-                           const Tolerances& terms, Forking forking)
+                           const Tolerances& tolerances, Forking forking)
     : profile_(profile),
       program_(program),
-      terms_(terms),
+      tolerances_(tolerances),
       forking_(forking),
       stands_(profile.initial.at) {
   AssignmentSet all(profile);
@@ -82,7 +82,7 @@ JudgeSession::~JudgeSession() = default;
 // J-READ-01.
 JudgeSession::Fork& JudgeSession::add_fork(AssignmentSet set) {
   Fork& fork = *alive_.emplace_back(
-      std::make_unique<Fork>(profile_, program_, terms_, std::move(set), forking_));
+      std::make_unique<Fork>(profile_, program_, tolerances_, std::move(set), forking_));
   if (taken_) {
     taken_->replay(program_, [&](const Record& record) { return fork.judge.record(record); });
   }
@@ -312,7 +312,8 @@ void JudgeSession::finish_sampled(const SampledOutcome& sampled, const RunEnd& e
   if (too_many_) return;
   best_.reset();
   for (const ReadingChoice& choice : assignments.choices) {
-    SampledVerdict said = sampled.judge(with_readings(profile_, choice), program_, terms_, end);
+    SampledVerdict said =
+        sampled.judge(with_readings(profile_, choice), program_, tolerances_, end);
     if (decision(said.verdict.kind) == Decision::go) explaining_.push_back(choice);
     consider(std::move(said));
   }
@@ -321,7 +322,7 @@ void JudgeSession::finish_sampled(const SampledOutcome& sampled, const RunEnd& e
 void JudgeSession::finish_together(const RunEnd& end) {
   if (forking_ == Forking::when_asked || !taken_ || most_others_ < 2) return;
   if (!best_ || decision(best_->verdict.kind) != Decision::no_go) return;
-  JudgeSession each(profile_, program_, terms_, Forking::when_asked);
+  JudgeSession each(profile_, program_, tolerances_, Forking::when_asked);
   taken_->replay(program_, [&](const Record& record) { return each.record(record); });
   const SessionVerdict said = each.finish(end);
   if (each.too_many_ || decision(said.verdict.kind) != Decision::go) return;
@@ -360,17 +361,17 @@ void RecordsInMemory::each(const std::function<bool(const Record&)>& take) const
 }
 
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
-                             const Tolerances& terms, const RecordSeries& records,
+                             const Tolerances& tolerances, const RecordSeries& records,
                              const RunEnd& end) {
-  JudgeSession session(profile, program, terms);
+  JudgeSession session(profile, program, tolerances);
   records.each([&](const Record& record) { return session.record(record); });
   return session.finish(end);
 }
 
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
-                             const Tolerances& terms, std::span<const Record> records,
+                             const Tolerances& tolerances, std::span<const Record> records,
                              const RunEnd& end) {
-  return judge_outcome(profile, program, terms, RecordsInMemory(records), end);
+  return judge_outcome(profile, program, tolerances, RecordsInMemory(records), end);
 }
 
 }  // namespace gonogo::oracle

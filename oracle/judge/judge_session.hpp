@@ -49,9 +49,9 @@ struct SessionVerdict {
 // them; then that one has a judge of its own, until its first departure (J-READ-01).
 class JudgeSession {
  public:
-  // `profile` may say "any"; `profile`, `program` and `terms` must outlive the session.
+  // `profile` may say "any"; `profile`, `program` and `tolerances` must outlive the session.
   JudgeSession(const reference::Profile& profile, const ProgramText& program,
-               const Tolerances& terms, Forking forking = Forking::when_different);
+               const Tolerances& tolerances, Forking forking = Forking::when_different);
   ~JudgeSession();
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
@@ -81,7 +81,7 @@ class JudgeSession {
 
   const reference::Profile& profile_;
   ProgramText program_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   const Forking forking_;
   std::vector<std::unique_ptr<Fork>> alive_;
   // What they have taken, while others may have to take it, too.
@@ -113,10 +113,10 @@ const SampledVerdict* shown_way_to_run_on(const SampledVerdict& best,
 
 // Judges a recorded outcome.
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
-                             const Tolerances& terms, const RecordSeries& records,
+                             const Tolerances& tolerances, const RecordSeries& records,
                              const RunEnd& end);
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
-                             const Tolerances& terms, std::span<const Record> records,
+                             const Tolerances& tolerances, std::span<const Record> records,
                              const RunEnd& end);
 
 // In explaining_reading.cpp. For a NO-GO: "k=v" of the first other reading under which the outcome
@@ -124,10 +124,10 @@ SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramTex
 // that are open already have been. Gives up, with "", where it would judge more records than that
 // (each assignment counting for 1,000 more).
 std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
-                               const Tolerances& terms, const RecordSeries& records,
+                               const Tolerances& tolerances, const RecordSeries& records,
                                const RunEnd& end, std::size_t most_records = kMostRecordsAgain);
 std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
-                               const Tolerances& terms, std::span<const Record> records,
+                               const Tolerances& tolerances, std::span<const Record> records,
                                const RunEnd& end, std::size_t most_records = kMostRecordsAgain);
 
 }  // namespace gonogo::oracle

@@ -26,14 +26,15 @@ Verdict not_covered_verdict(const reference::NotCovered& outside) {
 
 // R9.
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
-                                            const Motion& want, const Tolerances& terms) {
+                                            const Motion& want, const Tolerances& tolerances) {
   if (want.record.centre_clause == reference::kNoClause || !answer.centre) return std::nullopt;
   // R7: the silence is about the centre, and excuses no feed and no turn.
-  if (motion.record.rot != want.record.rot || !feeds_agree(want.record, motion.record, terms)) {
+  if (motion.record.rot != want.record.rot ||
+      !feeds_agree(want.record, motion.record, tolerances)) {
     return std::nullopt;
   }
-  if (!agree(answer.centre->distance, 0, terms.tolerance * 2) ||
-      !same_place(motion.to(), want.to(), terms)) {
+  if (!agree(answer.centre->distance, 0, tolerances.tolerance * 2) ||
+      !same_place(motion.to(), want.to(), tolerances)) {
     return std::nullopt;
   }
   Verdict verdict;
@@ -45,7 +46,7 @@ std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Mot
   verdict.got = record_text(motion.record);
   verdict.message = "The corrected centre of the arc differs by more than the tolerance.";
   set_deviation(verdict, answer.centre->distance);
-  verdict = advised(std::move(verdict), terms);
+  verdict = advised(std::move(verdict), tolerances);
   if (verdict.kind != VerdictKind::advice) return std::nullopt;
   return verdict;
 }
@@ -54,13 +55,13 @@ namespace {
 
 // J-CMP-12: whether the motion is one that the reference makes later on, from step `number`.
 bool fits_later(const Motion& motion, std::size_t number, ReferenceSteps& steps,
-                const Tolerances& terms) {
-  if (agree(motion.from, motion.to(), terms.tolerance)) return false;
+                const Tolerances& tolerances) {
+  if (agree(motion.from, motion.to(), tolerances.tolerance)) return false;
   for (std::size_t i = number; i < number + kLookAhead; ++i) {
     const ReferenceSteps::Step& step = steps.at(i);
     if (is_end(step.what)) return false;
     const Motion* later = std::get_if<Motion>(&step.what);
-    if (later == nullptr || !agree(motion.from, later->from, terms.tolerance)) continue;
+    if (later == nullptr || !agree(motion.from, later->from, tolerances.tolerance)) continue;
     const CurveAnswer answer = steps.curve_of(step)->follow({}, motion);
     if (!answer.departs() && answer.ways.front().done) return true;
   }
@@ -192,9 +193,9 @@ namespace {
 
 // How far a number of the subject's may be from what it computed.
 Number rounding(const Number& number, const std::optional<Number>& resolution,
-                const Tolerances& terms) {
+                const Tolerances& tolerances) {
   if (resolution) return *resolution / 2;
-  return terms.binary64 ? abs(number) * Number::binary(1, 1 - kUlpBits) : Number(0);
+  return tolerances.binary64 ? abs(number) * Number::binary(1, 1 - kUlpBits) : Number(0);
 }
 
 // For a feed or a lead that differs: both values.
@@ -211,37 +212,38 @@ std::string values_of(const Record& want, const Record& got) {
 }
 
 // What it may come from.
-std::string unit_error_of(const Record& want, const Record& got, const Tolerances& terms) {
+std::string unit_error_of(const Record& want, const Record& got, const Tolerances& tolerances) {
   if (want.kind == RecordKind::thread) {
     return unit_error(Quantity::lead, want.lead, got.lead,
-                      rounding(got.lead, terms.resolution, terms));
+                      rounding(got.lead, tolerances.resolution, tolerances));
   }
   if (want.feed_mode != got.feed_mode) return {};
   return unit_error(Quantity::feed, want.feed, got.feed,
-                    rounding(got.feed, terms.feed_resolution, terms));
+                    rounding(got.feed, tolerances.feed_resolution, tolerances));
 }
 
 }  // namespace
 
-bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const Tolerances& terms) {
+bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const Tolerances& tolerances) {
   const Record* want = dwell_of(step);
   if (want == nullptr || dwell.kind != RecordKind::dwell) return false;
-  if (terms.compare_blocks && want->block != dwell.block) return false;
-  return times_agree(*want, dwell, terms);
+  if (tolerances.compare_blocks && want->block != dwell.block) return false;
+  return times_agree(*want, dwell, tolerances);
 }
 
 namespace {
 
 // J-CMP-12, of one that is not due at step `number`.
 VerdictKind kind_of_dwell(const Record& dwell, std::size_t number, ReferenceSteps& steps,
-                          const Tolerances& terms) {
+                          const Tolerances& tolerances) {
   for (std::size_t i = number; i < number + kLookAhead; ++i) {
     const ReferenceStep& step = steps.at(i).what;
     if (is_end(step)) break;
-    if (is_dwell_due(step, dwell, terms)) return VerdictKind::fail_order;
+    if (is_dwell_due(step, dwell, tolerances)) return VerdictKind::fail_order;
   }
   const Record* want = dwell_of(steps.at(number).what);
-  const bool is_of_block = want != nullptr && (!terms.compare_blocks || want->block == dwell.block);
+  const bool is_of_block =
+      want != nullptr && (!tolerances.compare_blocks || want->block == dwell.block);
   return is_of_block ? VerdictKind::fail_feed : VerdictKind::fail_geometry;
 }
 
@@ -249,7 +251,7 @@ VerdictKind kind_of_dwell(const Record& dwell, std::size_t number, ReferenceStep
 
 // J-CMP-12: a dwell is due behind the motion that the subject has left unfinished.
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
-                    ReferenceSteps& steps, const Tolerances& terms) {
+                    ReferenceSteps& steps, const Tolerances& tolerances) {
   const ReferenceStep& step = steps.at(from.step).what;
   if (std::holds_alternative<Motion>(step) && from.piece) {
     const ReferenceStep& behind = steps.at(from.step + from.joined + 1).what;
@@ -257,7 +259,7 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
   }
   const Record* want = dwell_of(step);
   Verdict verdict;
-  verdict.kind = kind_of_dwell(dwell, from.step, steps, terms);
+  verdict.kind = kind_of_dwell(dwell, from.step, steps, tolerances);
   if (verdict.kind != VerdictKind::fail_feed) verdict.rule = RelationRule::event;
   verdict.record = number;
   verdict.block = dwell.block;
@@ -269,7 +271,7 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
     verdict.message = reference::with_values("The dwell differs. It is {} s in place of {}.",
                                              {dwell.seconds, want->seconds});
     verdict.message += unit_error(Quantity::dwell, want->seconds, dwell.seconds,
-                                  rounding(dwell.seconds, terms.resolution, terms));
+                                  rounding(dwell.seconds, tolerances.resolution, tolerances));
   }
   return verdict;
 }
@@ -279,7 +281,7 @@ namespace {
 // J-CMP-12: whether the motion that departs follows one that ended too early. It did where this
 // one leads on as the reference does next, or where less was missing than this one is off.
 bool ended_short(const Refutation& refutation, const Apart& apart, ReferenceSteps& steps,
-                 const Tolerances& terms) {
+                 const Tolerances& tolerances) {
   const Hypothesis& from = refutation.from;
   if (!from.piece) return false;
   const ReferenceSteps::Step& next = steps.at(from.step + from.joined + 1);
@@ -288,13 +290,13 @@ bool ended_short(const Refutation& refutation, const Apart& apart, ReferenceStep
     moved.from = later->from;
     if (!steps.curve_of(next)->follow({}, moved).departs()) return true;
   }
-  return apart.distance > terms.tolerance &&
+  return apart.distance > tolerances.tolerance &&
          largest_difference(from.piece->to(), from.curve->motion().to()) <= apart.distance;
 }
 
 // That motions differ is known; how far, and which departs first, may depend on an enclosure's
 // width, and then stays unsaid.
-void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& terms,
+void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances,
                   Verdict& verdict) {
   const Hypothesis& from = refutation.from;
   const Motion& motion = *refutation.motion;
@@ -312,10 +314,10 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Tol
     const Apart apart = centre ? *centre : from.curve->apart(from.progress, motion);
     const Apart shown = from.curve->farthest(apart, from.progress, motion);
     verdict.witness = place_text(shown.at);
-    tell_distance(verdict, shown.distance, motion.to(), want.to(), terms.tolerance);
-    if (ended_short(refutation, apart, steps, terms)) {
+    tell_distance(verdict, shown.distance, motion.to(), want.to(), tolerances.tolerance);
+    if (ended_short(refutation, apart, steps, tolerances)) {
       verdict = short_of(want, *from.piece);
-    } else if (fits_later(motion, from.step + from.joined + 1, steps, terms)) {
+    } else if (fits_later(motion, from.step + from.joined + 1, steps, tolerances)) {
       verdict.kind = VerdictKind::fail_order;
       verdict.rule = RelationRule::event;
       verdict.message = "A later motion comes here: one before it is missing, or comes after it.";
@@ -326,14 +328,14 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Tol
 
 }  // namespace
 
-Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& terms,
+Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances,
                 std::size_t& departed_at) {
   departed_at = steps.at(refutation.from.step).item;
   if (refutation.verdict) return *refutation.verdict;
   const Motion& motion = *refutation.motion;
   const Motion& want = refutation.from.curve->motion();
   const CurveAnswer& answer = refutation.answer;
-  if (answer.departure != Departure::feed && hangs_on_rounding(want, terms.tolerance)) {
+  if (answer.departure != Departure::feed && hangs_on_rounding(want, tolerances.tolerance)) {
     return gap_verdict(GapReason::rounding, kPointsNearlyInLine);
   }
   Verdict verdict;
@@ -347,9 +349,9 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Toler
     verdict.kind = VerdictKind::fail_feed;
     verdict.word = 'F';
     verdict.message += values_of(want.record, motion.record);
-    verdict.message += unit_error_of(want.record, motion.record, terms);
+    verdict.message += unit_error_of(want.record, motion.record, tolerances);
   } else {
-    explain_path(refutation, steps, terms, verdict);
+    explain_path(refutation, steps, tolerances, verdict);
   }
   return verdict;
 }
@@ -380,13 +382,13 @@ bool is_exactly_on(const Motion& round, const Position& point) {
 
 }  // namespace
 
-bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& terms) {
+bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& tolerances) {
   // Half a unit in the last place of a double is at most 2^-53 of its value.
-  if (terms.binary64) return agree(got, exact, abs(got) * Number::binary(1, -kUlpBits - 1));
-  return terms.resolution && agree(got, exact, *terms.resolution / 2);
+  if (tolerances.binary64) return agree(got, exact, abs(got) * Number::binary(1, -kUlpBits - 1));
+  return tolerances.resolution && agree(got, exact, *tolerances.resolution / 2);
 }
 
-Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& terms,
+Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& tolerances,
                RoundingCensus* census) {
   Grade grade;
   // `exact_ones` takes a coordinate that is exact, `others` one that is not.
@@ -400,7 +402,7 @@ Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& terms
       return;
     }
     grade.exact = false;
-    const bool is_correct = is_correctly_rounded(got, exact, terms);
+    const bool is_correct = is_correctly_rounded(got, exact, tolerances);
     grade.rounded = grade.rounded && is_correct;
     if (others != nullptr) others->take(exact, got, is_correct);
   };

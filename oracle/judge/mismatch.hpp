@@ -11,7 +11,7 @@ namespace gonogo::oracle {
 
 // The verdict on what was refuted. Looks ahead in the reference. `departed_at`: the item of the
 // reference that it departs from.
-Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& terms,
+Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances,
                 std::size_t& departed_at);
 
 // J-CMP-12. `piece` is the last of `want` that the subject has put out.
@@ -27,9 +27,9 @@ Verdict motion_too_many(const Motion& motion, const ReferenceStep& step);
 Verdict m_function_for_dwell(const ReferenceStep& due, const Record& got, std::size_t number);
 
 // R5. Whether the dwell is the one that is due; and what is said of one that is not.
-bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const Tolerances& terms);
+bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const Tolerances& tolerances);
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
-                    ReferenceSteps& steps, const Tolerances& terms);
+                    ReferenceSteps& steps, const Tolerances& tolerances);
 
 // What is not judged, and why.
 GapReason reason_of(const reference::NotCovered& outside);
@@ -38,7 +38,7 @@ Verdict not_covered_verdict(const reference::NotCovered& outside);
 // R7: an arc with a centre that a control computes itself, off by no more than twice the
 // tolerance, and its end where it should be.
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
-                                            const Motion& want, const Tolerances& terms);
+                                            const Motion& want, const Tolerances& tolerances);
 
 // J-CMP-09: of a motion that completes one of the reference's.
 struct Grade {
@@ -47,9 +47,9 @@ struct Grade {
 };
 // `census` takes the coordinates that `want` tells (tells_end), and those that are not exact where
 // `motion` alone moves; null: none does.
-Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& terms,
+Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& tolerances,
                RoundingCensus* census = nullptr);
 // R3: whether a coordinate that is not exact is the correctly rounded one.
-bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& terms);
+bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& tolerances);
 
 }  // namespace gonogo::oracle

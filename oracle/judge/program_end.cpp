@@ -84,7 +84,7 @@ Verdict alarm_verdict(VerdictKind kind, const AlarmReport& report, std::string m
   Verdict verdict;
   verdict.kind = kind;
   verdict.block = report.block;
-  const reference::Alarm& told = firmest(report);  // J-ALM-01
+  const reference::Alarm& told = best_supported(report);  // J-ALM-01
   verdict.clause = told.clause;
   verdict.word = told.word;
   verdict.want = alarms_text(report);
@@ -104,8 +104,8 @@ Verdict alarm_verdict(VerdictKind kind, const SubjectAlarm& alarm, std::string m
 }
 
 // R7: to run on is the other answer to each rule that is an alarm. The reference ends there.
-Verdict ran_on(Verdict missing, const Tolerances& terms) {
-  missing = advised(std::move(missing), terms);
+Verdict ran_on(Verdict missing, const Tolerances& tolerances) {
+  missing = advised(std::move(missing), tolerances);
   if (missing.kind == VerdictKind::advice) {
     missing.message += " What the subject does after it is not judged.";
   }
@@ -192,7 +192,7 @@ std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& endi
   };
   std::map<std::int32_t, std::size_t> came;
   for (const SubjectMFunction& got : m_functions_of_alarm_) {
-    const bool is_of_block = !terms_.compare_blocks || got.record.block == ending.block;
+    const bool is_of_block = !tolerances_.compare_blocks || got.record.block == ending.block;
     const bool is_free = before_alarm ? is_of_block && ++came[got.record.m] <= named(got.record)
                                       : is_of_block || got.record.block > ending.block;
     if (!is_free) return m_function_too_many(got.record, got.number, wanted_at(ending.from.step));
@@ -211,7 +211,7 @@ std::optional<Verdict> ProgramJudge::compare_end(const Record& end) const {
   if (!end_record_) return std::nullopt;
   for (Axis axis : reference::kAllAxes) {
     if (!end_record_->axes.has(axis)) continue;
-    if (agree(end_record_->to[axis], end.to[axis], terms_.tolerance)) continue;
+    if (agree(end_record_->to[axis], end.to[axis], tolerances_.tolerance)) continue;
     Verdict verdict;
     verdict.kind = VerdictKind::fail_geometry;
     verdict.record = records_ - 1;
@@ -253,12 +253,12 @@ ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
     if (auto* report = std::get_if<AlarmReport>(&step)) {
       Verdict verdict =
           alarm_verdict(VerdictKind::fail_alarm_missing, *report,
-                        fmt::format("The alarm is missing: {}", firmest(*report).message));
+                        fmt::format("The alarm is missing: {}", best_supported(*report).message));
       if (from.after_alarm) {
         verdict.record = from.after_alarm->number;
         verdict.got = record_text(from.after_alarm->record);
       }
-      verdict = ran_on(std::move(verdict), terms_);
+      verdict = ran_on(std::move(verdict), tolerances_);
       if (verdict.kind != VerdictKind::advice) return {from, std::move(verdict)};
       return {from, std::move(verdict), Ending::MFunctions::of_earlier, m_functions, report->block};
     }
@@ -270,7 +270,7 @@ ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
 
 NoAlarmReason ProgramJudge::why_no_alarm(const Alarming& alarming) const {
   AlarmPlace place;
-  if (terms_.compare_blocks) place.block = alarming.alarm.block;
+  if (tolerances_.compare_blocks) place.block = alarming.alarm.block;
   place.at = alarming.at;
   place.is_begun = alarming.is_begun;
   if (alarming.unfinished) place.undone = alarming.unfinished->step.item;
@@ -283,7 +283,8 @@ Verdict ProgramJudge::spurious_alarm(const Alarming& alarming, std::string messa
       alarm_verdict(VerdictKind::fail_alarm_spurious, alarming.alarm, std::move(message));
   const NoAlarmReason reason = why_no_alarm(alarming);
   verdict.clause = reason.clause;
-  if (reason.answer == NoAlarmReason::Answer::other) return advised(std::move(verdict), terms_);
+  if (reason.answer == NoAlarmReason::Answer::other)
+    return advised(std::move(verdict), tolerances_);
   if (reason.answer == NoAlarmReason::Answer::late) {
     verdict.kind = VerdictKind::fail_alarm_late;
     verdict.message = "Motion of the block that alarms, or of a later one, was put out before.";
@@ -297,7 +298,8 @@ Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& r
   const auto message = [](const reference::Alarm& alarm) {
     return fmt::format("The alarm is of another class. {}", alarm.message);
   };
-  Verdict verdict = alarm_verdict(VerdictKind::fail_alarm_class, report, message(firmest(report)));
+  Verdict verdict =
+      alarm_verdict(VerdictKind::fail_alarm_class, report, message(best_supported(report)));
   verdict.got = alarm_text(alarming.alarm);
   const auto named = std::ranges::find_if(report.alarms, [&](const reference::Alarm& alarm) {
     return reference::is_silent(alarm.clause) &&
@@ -314,7 +316,7 @@ Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& r
   } else {
     return verdict;
   }
-  return advised(std::move(verdict), terms_);
+  return advised(std::move(verdict), tolerances_);
 }
 
 // R6. Nothing where the subject's alarm is one that the reference's admits.
@@ -326,19 +328,21 @@ std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from, const
     result.got = alarm_text(alarm);
     return result;
   };
-  if (terms_.compare_blocks && alarm.block > report.block && !terms_.strict &&
-      reference::is_silent(firmest(report).clause) &&
+  if (tolerances_.compare_blocks && alarm.block > report.block && !tolerances_.strict &&
+      reference::is_silent(best_supported(report).clause) &&
       alarms_without(profile_, program_, report, alarm)) {
-    return ran_on(verdict(VerdictKind::fail_alarm_missing, "The alarm is missing."), terms_);
+    return ran_on(verdict(VerdictKind::fail_alarm_missing, "The alarm is missing."), tolerances_);
   }
   if (from.after_alarm) {
+    const bool moves = is_motion(from.after_alarm->record.kind);
     Verdict late = alarm_verdict(VerdictKind::fail_alarm_late, report,
-                                 "Motion was put out in or after the block that alarms.");
+                                 fmt::format("A {} was put out in or after the block that alarms.",
+                                             moves ? "motion" : "dwell"));
     late.record = from.after_alarm->number;
     late.got = record_text(from.after_alarm->record);
     return late;
   }
-  if (terms_.compare_blocks && alarm.block != report.block) {
+  if (tolerances_.compare_blocks && alarm.block != report.block) {
     if (alarm.block < report.block) {
       Verdict early = spurious_alarm(alarming, "The alarm comes in a block before the right one.");
       early.want = alarms_text(report);
@@ -381,7 +385,7 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& al
       report != nullptr
           ? compare_alarm(from, alarming, *report)
           : spurious_alarm(alarming, "The subject alarms, and the program has no fault.");
-  if (report == nullptr && unfinished && terms_.compare_blocks &&
+  if (report == nullptr && unfinished && tolerances_.compare_blocks &&
       departure->kind == VerdictKind::fail_alarm_spurious) {
     const auto behind = own_alarm();
     if (behind && behind->block > alarming.alarm.block) {
@@ -392,10 +396,10 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& al
   if (departure && departure->want.empty() && unfinished) {
     departure->want = step_text(unfinished->step.what);
   }
-  const bool is_early = report == nullptr || (terms_.compare_blocks && departure &&
+  const bool is_early = report == nullptr || (tolerances_.compare_blocks && departure &&
                                               alarming.alarm.block < report->block);
   // Without line numbers the block that the subject names says nothing.
-  const std::uint64_t alarmed = terms_.compare_blocks ? alarming.alarm.block : 0;
+  const std::uint64_t alarmed = tolerances_.compare_blocks ? alarming.alarm.block : 0;
   const std::uint64_t block = is_early ? alarmed : report->block;
   const std::size_t item = unfinished ? unfinished->step.item : 0;
   if (departure && departure->kind != VerdictKind::advice) {
@@ -431,7 +435,7 @@ bool ProgramJudge::is_alarm_behind_end(Hypothesis& from, const Alarming& alarmin
 // Whether a step is due behind the block of the subject's alarm, before which others are undone:
 // then no alarm of the program makes it right.
 bool ProgramJudge::is_behind_alarm(const Alarming& alarming, const ReferenceStep& step) const {
-  if (!alarming.unfinished || !terms_.compare_blocks) return false;
+  if (!alarming.unfinished || !tolerances_.compare_blocks) return false;
   const std::uint64_t alarmed = alarming.alarm.block;
   const std::uint64_t block = block_of(step);
   return block_of(alarming.unfinished->step.what) >= alarmed && block != 0 && block != alarmed;
@@ -477,8 +481,8 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
     // Past motion that is missing, only the alarm of the program is of interest.
     if (!at_load && !unfinished) {
       const bool is_of_block =
-          motion != nullptr && (!terms_.compare_blocks || alarm.block == motion->record.block);
-      if (is_of_block && hangs_on_rounding(*motion, terms_.tolerance)) {
+          motion != nullptr && (!tolerances_.compare_blocks || alarm.block == motion->record.block);
+      if (is_of_block && hangs_on_rounding(*motion, tolerances_.tolerance)) {
         return {from, gap_verdict(GapReason::rounding, kPointsNearlyInLine)};
       }
       unfinished.emplace(Alarming::Unfinished{from, here});

@@ -12,12 +12,13 @@
 namespace gonogo::oracle {
 
 ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText& program,
-                           const Tolerances& terms, const AssignmentSet* watched, Forking forking)
+                           const Tolerances& tolerances, const AssignmentSet* watched,
+                           Forking forking)
     : profile_(profile),
-      terms_(terms),
+      tolerances_(tolerances),
       program_(program),
-      reference_(profile_, program_, terms_, watched, forking),
-      alignment_(reference_, profile_.initial.at, terms_, memory_),
+      reference_(profile_, program_, tolerances_, watched, forking),
+      alignment_(reference_, profile_.initial.at, tolerances_, memory_),
       budget_(profile_, program) {}
 
 void ProgramJudge::decide(Verdict verdict) {
@@ -49,7 +50,7 @@ void ProgramJudge::name_line(Verdict& verdict, std::size_t number) const {
 void ProgramJudge::decide_departure() {
   if (alignment_.gap()) return decide(*alignment_.gap());
   std::size_t departed_at = 0;
-  Verdict verdict = explain(alignment_.refutation(), reference_, terms_, departed_at);
+  Verdict verdict = explain(alignment_.refutation(), reference_, tolerances_, departed_at);
   departed_at_ = departed_at;
   name_line(verdict, alignment_.refutation().from.step);
   decide(std::move(verdict));
@@ -115,7 +116,7 @@ void ProgramJudge::take_record(const Record& record) {
   }
   switch (record.kind) {
     case RecordKind::m:
-      if (terms_.compare_m) take_m_function(record);
+      if (tolerances_.compare_m) take_m_function(record);
       return;
     case RecordKind::dwell:
       if (record.seconds.sign() != 0) take_dwell(record);
@@ -130,7 +131,7 @@ void ProgramJudge::take_record(const Record& record) {
 
 void ProgramJudge::take_motion(const Record& record) {
   // R3.
-  if (terms_.compare_blocks && record.block == 0) {
+  if (tolerances_.compare_blocks && record.block == 0) {
     Verdict verdict;
     verdict.kind = VerdictKind::protocol;
     verdict.record = records_ - 1;
@@ -185,14 +186,14 @@ bool ProgramJudge::makes_progress(const Motion& motion) {
       kind == RecordKind::feed || kind == RecordKind::rapid || kind == RecordKind::thread;
   if (const auto* want = std::get_if<Motion>(&step.what)) {
     if (!is_round(want->record.kind)) {
-      return is_straight && comes_nearer(motion, want->to(), terms_.tolerance);
+      return is_straight && comes_nearer(motion, want->to(), tolerances_.tolerance);
     }
   } else if (const auto* level = std::get_if<reference::PocketLevel>(&step.what)) {
     if (!ends_in_pocket(motion, *level)) return false;
   } else if (!is_open_step(step.what)) {
     return false;
   }
-  return visited_.is_new(step.item, motion.to(), terms_.tolerance);
+  return visited_.is_new(step.item, motion.to(), tolerances_.tolerance);
 }
 
 }  // namespace gonogo::oracle

@@ -23,7 +23,7 @@ class ProgramJudge {
   // `watched`: the assignments that the readings of `profile` are taken from; null: they are all
   // that counts. Everything must outlive the judge.
   ProgramJudge(const reference::Profile& profile, const ProgramText& program,
-               const Tolerances& terms, const AssignmentSet* watched = nullptr,
+               const Tolerances& tolerances, const AssignmentSet* watched = nullptr,
                Forking forking = Forking::when_different);
   ProgramJudge(const ProgramJudge&) = delete;
   // The subject's next record. False when nothing it can still send changes the answer.
@@ -103,7 +103,7 @@ class ProgramJudge {
   void settle(Ending ending);
 
   const reference::Profile& profile_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   ProgramText program_;
   ReferenceSteps reference_;
   OpenStepMemory memory_;

@@ -29,7 +29,7 @@ class SampledOutcome {
   virtual ~SampledOutcome() = default;
   // `profile` says every reading that counts; `end` is how the run ended.
   virtual SampledVerdict judge(const reference::Profile& profile, const ProgramText& program,
-                               const Tolerances& terms, const RunEnd& end) const = 0;
+                               const Tolerances& tolerances, const RunEnd& end) const = 0;
 };
 
 }  // namespace gonogo::oracle

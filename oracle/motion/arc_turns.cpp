@@ -56,9 +56,9 @@ bool are_surely_apart(const Motion& arc, const SeenEnds& seen, const Number& wit
 
 }  // namespace
 
-Number rounding_of(const Motion& arc, const Tolerances& terms) {
-  if (terms.resolution) return *terms.resolution / 2;
-  if (!terms.binary64) return terms.exact ? Number(0) : terms.increment / 2;
+Number rounding_of(const Motion& arc, const Tolerances& tolerances) {
+  if (tolerances.resolution) return *tolerances.resolution / 2;
+  if (!tolerances.binary64) return tolerances.exact ? Number(0) : tolerances.increment / 2;
   const reference::PlaneAxes axes = reference::axes_of(arc.record.plane);
   double largest = 0;
   for (const Number* each : {&arc.from[axes.p], &arc.from[axes.q], &arc.to()[axes.p],
@@ -69,9 +69,9 @@ Number rounding_of(const Motion& arc, const Tolerances& terms) {
 }
 
 region::OpenTurns open_turns(const std::array<Number, 2>& centre, const Number& reach,
-                             const Tolerances& terms) {
-  if (terms.resolution) return {*terms.resolution, true};
-  if (!terms.binary64) return {terms.exact ? Number(0) : terms.increment, true};
+                             const Tolerances& tolerances) {
+  if (tolerances.resolution) return {*tolerances.resolution, true};
+  if (!tolerances.binary64) return {tolerances.exact ? Number(0) : tolerances.increment, true};
   const double largest =
       std::max(std::abs(estimate(centre[0])), std::abs(estimate(centre[1]))) + estimate(reach);
   return {two_units_of_double(largest) * 2, false};

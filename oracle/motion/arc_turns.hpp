@@ -14,11 +14,11 @@ namespace gonogo::oracle {
 
 // How far a number of the arc may lie from the one that was meant, as its subject declares them; 0:
 // they are exact.
-Number rounding_of(const Motion& arc, const Tolerances& terms);
+Number rounding_of(const Motion& arc, const Tolerances& tolerances);
 
 // The same of arcs in a pocket that lies within `reach` of a centre.
 region::OpenTurns open_turns(const std::array<Number, 2>& centre, const Number& reach,
-                             const Tolerances& terms);
+                             const Tolerances& tolerances);
 
 // Whether both ends may lie on one ray from the centre, each number being that far off: then what
 // the arc turns beside other whole turns may be meant as nil or as a whole turn.

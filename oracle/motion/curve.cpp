@@ -73,20 +73,20 @@ Axis longest_axis(const Motion& motion) {
   return longest;
 }
 
-Curve::Curve(Motion reference, const Tolerances& terms, std::optional<OpenArc> open)
-    : reference_(std::move(reference)), terms_(terms), open_(std::move(open)) {
+Curve::Curve(Motion reference, const Tolerances& tolerances, std::optional<OpenArc> open)
+    : reference_(std::move(reference)), tolerances_(tolerances), open_(std::move(open)) {
   if (is_round(reference_.record.kind)) round_.emplace(reference_, open_);
 }
 
 CurveAnswer Curve::follow(const CurveProgress& from, const Motion& subject) const {
   const Record& want = reference_.record;
   const Record& got = subject.record;
-  if (terms_.compare_blocks && want.block != got.block) {
+  if (tolerances_.compare_blocks && want.block != got.block) {
     return CurveAnswer::departs(Departure::block, "The motion belongs to another block.");
   }
   CurveAnswer answer = follow_any(from, subject);
   const bool is_cut = want.kind != RecordKind::rapid && want.kind != RecordKind::thread;
-  if (is_cut && !answer.departs() && !feeds_agree(want, got, terms_)) {
+  if (is_cut && !answer.departs() && !feeds_agree(want, got, tolerances_)) {
     return CurveAnswer::departs(Departure::feed, "The feed differs.");
   }
   return answer;
@@ -111,10 +111,10 @@ CurveAnswer Curve::follow_any(const CurveProgress& from, const Motion& subject) 
 CurveAnswer Curve::follow_thread(const CurveProgress& from, const Motion& subject) const {
   CurveAnswer answer = follow_line(from, subject);
   if (answer.departs()) return answer;
-  if (!leads_agree(reference_.record, subject.record, terms_)) {
+  if (!leads_agree(reference_.record, subject.record, tolerances_)) {
     return CurveAnswer::departs(Departure::feed, "The lead differs.");
   }
-  if (!start_angles_agree(reference_.record, subject.record, terms_)) {
+  if (!start_angles_agree(reference_.record, subject.record, tolerances_)) {
     return CurveAnswer::departs(Departure::geometry,
                                 "The thread starts at another angle of the spindle.");
   }
@@ -127,7 +127,7 @@ CurveAnswer Curve::follow_traverse(const CurveProgress& from, const Motion& subj
   for (Axis axis : kAllAxes) {
     const Number& target = reference_.to()[axis];
     const Number& end = subject.to()[axis];
-    const Number& tau = terms_.tolerance;
+    const Number& tau = tolerances_.tolerance;
     const bool above_low = end >= target - tau || end >= reached[axis] - tau;
     const bool below_high = end <= target + tau || end <= reached[axis] + tau;
     if (!above_low || !below_high) {
@@ -135,7 +135,7 @@ CurveAnswer Curve::follow_traverse(const CurveProgress& from, const Motion& subj
     }
   }
   CurveProgress progress = from;
-  const bool done = agree(subject.to(), reference_.to(), terms_.tolerance);
+  const bool done = agree(subject.to(), reference_.to(), tolerances_.tolerance);
   if (!done) {
     // Not the piece's own end: steps back within the tolerance must not add up.
     Position nearest = reached;
@@ -154,9 +154,9 @@ CurveAnswer Curve::follow_traverse(const CurveProgress& from, const Motion& subj
 }
 
 CurveAnswer Curve::follow_line(const CurveProgress& from, const Motion& subject) const {
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   if (!agrees_with_line(reference_, subject.from, tau) &&
-      !same_place(subject.from, reference_.from, terms_)) {
+      !same_place(subject.from, reference_.from, tolerances_)) {
     return CurveAnswer::departs(Departure::geometry, "The cut does not start on the line.");
   }
   if (!agrees_with_line(reference_, subject.to(), tau)) {
@@ -178,12 +178,12 @@ CurveAnswer Curve::follow_line(const CurveProgress& from, const Motion& subject)
 bool Curve::is_flat_arc3() const {
   if (reference_.record.kind != RecordKind::arc3) return false;
   const ThreePoints points(reference_);
-  return points.circle ? points.is_flat(terms_.tolerance) : !points.is_over_half();
+  return points.circle ? points.is_flat(tolerances_.tolerance) : !points.is_over_half();
 }
 
 // R3. An arc that agrees with its chord.
 CurveAnswer Curve::follow_flat(const CurveProgress& from, const Motion& subject) const {
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   const bool is_arc = subject.record.kind == RecordKind::arc;
   const bool is_flat = is_arc ? is_flat_arc(subject, tau) : ThreePoints(subject).is_flat(tau);
   if (!is_flat ||
@@ -195,16 +195,16 @@ CurveAnswer Curve::follow_flat(const CurveProgress& from, const Motion& subject)
 }
 
 bool Curve::goes_beyond(const CurveProgress& from, const Motion& subject) const {
-  if (terms_.compare_blocks && reference_.record.block != subject.record.block) return false;
+  if (tolerances_.compare_blocks && reference_.record.block != subject.record.block) return false;
   const bool cut = reference_.record.kind != RecordKind::rapid;
-  if (cut && !feeds_agree(reference_.record, subject.record, terms_)) return false;
+  if (cut && !feeds_agree(reference_.record, subject.record, tolerances_)) return false;
   if (round_ && is_round(subject.record.kind)) return arc_goes_beyond(from, subject);
   if (round_) return subject.record.kind == RecordKind::feed && chord_goes_beyond(from, subject);
   return reference_.record.kind == subject.record.kind && line_goes_beyond(subject);
 }
 
 bool Curve::line_goes_beyond(const Motion& subject) const {
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   // Traverses are joined along a single axis only.
   const bool traverse = reference_.record.kind == RecordKind::rapid;
   if (traverse &&

@@ -28,7 +28,8 @@ struct Apart {
 struct CurveProgress {
   Number line;                       // along the axis that moves most
   double arc = 0;                    // turns, to choose between whole turns only
-  const char* doubt = nullptr;       // a sentence: why it is open whether a piece belongs to it
+  const char* undecided_because =
+      nullptr;                       // a sentence: why it is open whether a piece belongs to it
   GapReason gap = GapReason::none;   // why
   std::optional<Position> traverse;  // the nearest to its end so far, axis by axis
 };
@@ -64,8 +65,8 @@ struct CurveAnswer {
 
 class Curve {
  public:
-  // `terms` must outlive the curve.
-  Curve(Motion reference, const Tolerances& terms, std::optional<OpenArc> open = std::nullopt);
+  // `tolerances` must outlive the curve.
+  Curve(Motion reference, const Tolerances& tolerances, std::optional<OpenArc> open = std::nullopt);
   Curve(const Curve&) = delete;
 
   const Motion& motion() const { return reference_; }
@@ -117,7 +118,7 @@ class Curve {
   Number distance(const CurveProgress& from, const Position& point, double turns) const;
 
   Motion reference_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   std::optional<OpenArc> open_;
   std::optional<RoundCurve> round_;  // an arc or a circle in space
 };

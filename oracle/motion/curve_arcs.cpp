@@ -26,7 +26,7 @@ constexpr const char* kSpiralTooClose = "The radius of the spiral is too close."
 // A piece of which it is open whether it ends on the curve decides nothing yet: if what follows
 // departs, so does the whole; if it leads to the end, the whole is open.
 CurveAnswer doubtful(CurveProgress progress, const char* reason) {
-  progress.doubt = reason;
+  progress.undecided_because = reason;
   progress.gap = GapReason::comparison;
   return CurveAnswer::goes(std::move(progress), false);
 }
@@ -54,11 +54,11 @@ CurveAnswer joined(CurveAnswer one, CurveAnswer other) {
 }  // namespace
 
 bool Curve::ends_at(const Position& point) const {
-  if (!open_) return agree(point, reference_.to(), terms_.tolerance);
+  if (!open_) return agree(point, reference_.to(), tolerances_.tolerance);
   const PlaneAxes axes = reference::axes_of(round_->arc()->record.plane);
   for (Axis axis : kAllAxes) {
     if (axis == axes.p || axis == axes.q) continue;
-    if (!agree(point[axis], reference_.to()[axis], terms_.tolerance)) return false;
+    if (!agree(point[axis], reference_.to()[axis], tolerances_.tolerance)) return false;
   }
   return open_->starts->admits(open_->end,
                                {point[axes.p] - open_->origin.p, point[axes.q] - open_->origin.q});
@@ -67,8 +67,8 @@ bool Curve::ends_at(const Position& point) const {
 bool Curve::centre_agrees(const Record& arc) const {
   const std::array<Number, 2>& want = round_->arc()->record.centre;
   if (!open_) {
-    return agree(want[0], arc.centre[0], terms_.tolerance) &&
-           agree(want[1], arc.centre[1], terms_.tolerance);
+    return agree(want[0], arc.centre[0], tolerances_.tolerance) &&
+           agree(want[1], arc.centre[1], tolerances_.tolerance);
   }
   return open_->starts->admits(open_->centre,
                                {arc.centre[0] - open_->origin.p, arc.centre[1] - open_->origin.q});
@@ -101,9 +101,9 @@ CurveAnswer Curve::end_of_piece(const CurveProgress& from, const Motion& subject
   if (progress.arc >= whole) {
     return CurveAnswer::departs(Departure::geometry, "The arc goes beyond its end.");
   }
-  const int height = round_->on_helix(subject.to(), progress.arc, terms_.tolerance);
-  const int radius = round_->on_spiral(subject.to(), progress.arc, terms_.tolerance);
-  if (!round_->on_circle(subject.to(), terms_.tolerance) || height < 0 || radius < 0) {
+  const int height = round_->on_helix(subject.to(), progress.arc, tolerances_.tolerance);
+  const int radius = round_->on_spiral(subject.to(), progress.arc, tolerances_.tolerance);
+  if (!round_->on_circle(subject.to(), tolerances_.tolerance) || height < 0 || radius < 0) {
     return CurveAnswer::departs(Departure::geometry, "The arc ends off the curve.");
   }
   if (height == 0) return doubtful(std::move(progress), kHelixTooClose);
@@ -148,7 +148,7 @@ CurveAnswer Curve::follow_arc(const CurveProgress& from, const Motion& subject) 
 CurveAnswer Curve::by_rounding(const CurveProgress& from, const Motion& subject,
                                double turns) const {
   CurveAnswer answer = CurveAnswer::departs(Departure::geometry, {});
-  const Number rounding = rounding_of(subject, terms_);
+  const Number rounding = rounding_of(subject, tolerances_);
   const double before = std::abs(subject.record.rot) - 1;
   const bool is_small = turns - before < 0.5;
   if ((is_small || before == 0) && may_be_nil_or_whole(subject, rounding)) {
@@ -168,10 +168,11 @@ CurveAnswer Curve::by_rounding(const CurveProgress& from, const Motion& subject,
 // of what was meant, decimals where the curve's ends are not one point, for one is rounded to one.
 CurveAnswer Curve::as_turns(const CurveProgress& from, const Motion& subject, double turns) const {
   CurveAnswer answer = end_of_piece(from, subject, turns);
-  const bool is_declared = terms_.resolution ? from.arc == 0 && !closes() : terms_.binary64;
+  const bool is_declared =
+      tolerances_.resolution ? from.arc == 0 && !closes() : tolerances_.binary64;
   if (is_declared && is_rounded_curve(from, subject)) return answer;
   for (CurveWay& way : answer.ways) {
-    way.progress.doubt = kHangsOnRounding;
+    way.progress.undecided_because = kHangsOnRounding;
     way.progress.gap = GapReason::two_readings;
   }
   return answer;
@@ -190,7 +191,7 @@ bool Curve::closes() const {
 bool Curve::is_rounded_curve(const CurveProgress& from, const Motion& subject) const {
   const Motion& want = *round_->arc();
   const PlaneAxes axes = reference::axes_of(want.record.plane);
-  const Number rounding = rounding_of(subject, terms_);
+  const Number rounding = rounding_of(subject, tolerances_);
   bool agrees = true;
   for (const auto& [axis, i] : {std::pair(axes.p, 0U), std::pair(axes.q, 1U)}) {
     agrees = agrees && agree(subject.to()[axis], want.to()[axis], rounding) &&
@@ -202,8 +203,8 @@ bool Curve::is_rounded_curve(const CurveProgress& from, const Motion& subject) c
 
 // R3: that the certifier grants, or of an arc that agrees with its own.
 bool Curve::takes_chords() const {
-  return terms_.chord.sign() > 0 || (reference_.record.kind == RecordKind::arc && !open_ &&
-                                     is_flat_arc(reference_, terms_.tolerance));
+  return tolerances_.chord.sign() > 0 || (reference_.record.kind == RecordKind::arc && !open_ &&
+                                          is_flat_arc(reference_, tolerances_.tolerance));
 }
 
 // Whether a chord agrees with the curve between its ends; 0: too close to say. Its middle is its
@@ -228,7 +229,7 @@ int Curve::chord_stays(const CurveProgress& from, const Motion& chord,
 // R3. A straight cut as a chord of the arc: its ends on the curve, and the sagitta within
 // what the certifier granted and the tolerance.
 CurveAnswer Curve::follow_chord(const CurveProgress& from, const Motion& subject) const {
-  const Number granted = terms_.tolerance + terms_.chord;
+  const Number granted = tolerances_.tolerance + tolerances_.chord;
   if (!round_->on_circle(subject.to(), granted)) {
     return CurveAnswer::departs(Departure::geometry, "The chord ends off the arc.");
   }
@@ -250,7 +251,7 @@ CurveAnswer Curve::follow_chord(const CurveProgress& from, const Motion& subject
   if (progress.arc >= whole && !agree(subject.to(), reference_.to(), granted)) {
     return CurveAnswer::departs(Departure::geometry, "The chord goes beyond the end of the arc.");
   }
-  const int height = round_->on_helix(subject.to(), progress.arc, terms_.tolerance);
+  const int height = round_->on_helix(subject.to(), progress.arc, tolerances_.tolerance);
   if (height < 0) {
     return CurveAnswer::departs(Departure::geometry, "The chord ends off the helix.");
   }
@@ -264,7 +265,7 @@ CurveAnswer Curve::follow_chord(const CurveProgress& from, const Motion& subject
 }
 
 bool Curve::names_points_of_program(const Motion& arc3) const {
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   return reference_.record.kind == RecordKind::arc3 && agree(arc3.from, reference_.from, tau) &&
          agree(via_of(arc3), via_of(reference_), tau) && agree(arc3.to(), reference_.to(), tau);
 }
@@ -279,7 +280,7 @@ bool Curve::names_points_of_program(const Motion& arc3) const {
 CurveAnswer Curve::sweep_of_arc3(const CurveProgress& from, const Motion& subject,
                                  double& turns) const {
   const ThreePoints points(subject);
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   if (!points.circle) {
     return CurveAnswer::departs(Departure::geometry, "The three points of the arc lie in line.");
   }
@@ -337,7 +338,7 @@ CurveAnswer Curve::follow_arc3(const CurveProgress& from, const Motion& subject)
 
 // Only arcs without height are joined.
 bool Curve::arc_goes_beyond(const CurveProgress& from, const Motion& subject) const {
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   double turns = 0;
   if (subject.record.kind == RecordKind::arc3) {
     if (sweep_of_arc3(from, subject, turns).departs()) return false;
@@ -358,7 +359,8 @@ bool Curve::arc_goes_beyond(const CurveProgress& from, const Motion& subject) co
 }
 
 bool Curve::chord_goes_beyond(const CurveProgress& from, const Motion& subject) const {
-  if (!takes_chords() || !round_->on_circle(subject.to(), terms_.tolerance + terms_.chord)) {
+  if (!takes_chords() ||
+      !round_->on_circle(subject.to(), tolerances_.tolerance + tolerances_.chord)) {
     return false;
   }
   const double turns = round_->part_of_turn(subject.from, subject.to());

@@ -278,7 +278,7 @@ Apart Curve::farthest(const Apart& known, const CurveProgress& from, const Motio
   }
   const bool is_other_way = reference_.record.kind == RecordKind::arc &&
                             (reference_.record.rot < 0) != (arc->record.rot < 0);
-  if (!is_other_way || most.distance > terms_.tolerance) return most;
+  if (!is_other_way || most.distance > tolerances_.tolerance) return most;
   for (const Number& degrees : angles_within(*arc)) {
     Position point = turned(*arc, degrees, false);
     Number off = largest_difference(point, turned(*arc, degrees, true));
@@ -296,7 +296,7 @@ Apart Curve::apart(const CurveProgress& from, const Motion& subject) const {
   const double sweep = is_arc ? approximate_turns(subject) : 0;
   const double to_end = is_arc ? from.arc + sweep : turns_to(subject.to());
   Apart end{subject.to(), distance(from, subject.to(), to_end)};
-  if (end.distance > terms_.tolerance) return end;
+  if (end.distance > tolerances_.tolerance) return end;
   std::vector<Position> others;
   if (subject.record.kind == RecordKind::arc3) others.push_back(via_of(subject));
   if (subject.record.kind == RecordKind::feed) {
@@ -307,7 +307,7 @@ Apart Curve::apart(const CurveProgress& from, const Motion& subject) const {
   }
   for (const Position& point : others) {
     Apart there{point, distance(from, point, turns_to(point))};
-    if (there.distance > terms_.tolerance) return there;
+    if (there.distance > tolerances_.tolerance) return there;
   }
   return end;
 }

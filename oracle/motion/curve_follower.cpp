@@ -10,7 +10,7 @@
 namespace gonogo::oracle {
 
 bool goes_on_alike(const CurveProgress& one, const CurveProgress& other) {
-  return (one.doubt == nullptr) == (other.doubt == nullptr) &&
+  return (one.undecided_because == nullptr) == (other.undecided_because == nullptr) &&
          std::abs(one.arc - other.arc) < kEstimate;
 }
 
@@ -28,12 +28,12 @@ MatchResult CurveFollower::match(const Motion& subject) {
   std::vector<CurveProgress> reached;
   CurveAnswer departure;
   const bool is_none =
-      is_round(curve_.motion().record.kind) && stays_at(curve_.motion().from, subject, terms_);
+      is_round(curve_.motion().record.kind) && stays_at(curve_.motion().from, subject, tolerances_);
   for (const CurveProgress& from : reached_) {
     CurveAnswer answer = curve_.follow(from, subject);
     for (CurveWay& way : answer.ways) {
-      if (way.done && way.progress.doubt != nullptr) {
-        departure = CurveAnswer::undecided(way.progress.gap, way.progress.doubt);
+      if (way.done && way.progress.undecided_because != nullptr) {
+        departure = CurveAnswer::undecided(way.progress.gap, way.progress.undecided_because);
         continue;
       }
       if (!way.done) {

@@ -20,10 +20,10 @@ struct MatchResult {
 
 class CurveFollower {
  public:
-  // `terms` must outlive it.
-  CurveFollower(const Motion& reference, const Tolerances& terms,
+  // `tolerances` must outlive it.
+  CurveFollower(const Motion& reference, const Tolerances& tolerances,
                 std::optional<OpenArc> open = std::nullopt)
-      : curve_(reference, terms, std::move(open)), terms_(terms) {}
+      : curve_(reference, tolerances, std::move(open)), tolerances_(tolerances) {}
   CurveFollower(const CurveFollower&) = delete;
   // Tries the next motion of the subject; on a departure nothing is changed.
   MatchResult match(const Motion& subject);
@@ -31,7 +31,7 @@ class CurveFollower {
 
  private:
   Curve curve_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   std::vector<CurveProgress> reached_{1};
 };
 

@@ -34,37 +34,38 @@ bool is_near_double(const Number& got, const Number& exact) {
 // R3. Where no resolution is declared a decimal is taken as what it says: the value rounded to its
 // own last place, and none coarser than the profile's increment.
 bool stands_for(const Number& got, const Number& exact, const std::optional<Number>& resolution,
-                const Tolerances& terms) {
+                const Tolerances& tolerances) {
   if (visible_sign(got - exact) == 0) return true;
-  const bool may_be_double = terms.binary64 || (!terms.exact && !resolution);
+  const bool may_be_double = tolerances.binary64 || (!tolerances.exact && !resolution);
   if (may_be_double && is_near_double(got, exact)) return true;
   if (resolution) return agree(got * 2, exact * 2, *resolution);
-  if (!agree(got * 2, exact * 2, terms.increment)) return false;
+  if (!agree(got * 2, exact * 2, tolerances.increment)) return false;
   const std::optional<Number> step = last_place(got);
   return step && agree(got * 2, exact * 2, *step);
 }
 
-bool feeds_agree(const Record& want, const Record& got, const Tolerances& terms) {
-  return feeds_agree(want.feed, want.feed_mode, got, terms);
+bool feeds_agree(const Record& want, const Record& got, const Tolerances& tolerances) {
+  return feeds_agree(want.feed, want.feed_mode, got, tolerances);
 }
 
 bool feeds_agree(const Number& want, reference::FeedMode mode, const Record& got,
-                 const Tolerances& terms) {
-  return mode == got.feed_mode && stands_for(got.feed, want, terms.feed_resolution, terms);
+                 const Tolerances& tolerances) {
+  return mode == got.feed_mode &&
+         stands_for(got.feed, want, tolerances.feed_resolution, tolerances);
 }
 
-bool leads_agree(const Record& want, const Record& got, const Tolerances& terms) {
-  return stands_for(got.lead, want.lead, terms.resolution, terms);
+bool leads_agree(const Record& want, const Record& got, const Tolerances& tolerances) {
+  return stands_for(got.lead, want.lead, tolerances.resolution, tolerances);
 }
 
-bool start_angles_agree(const Record& want, const Record& got, const Tolerances& terms) {
+bool start_angles_agree(const Record& want, const Record& got, const Tolerances& tolerances) {
   const auto turns =
       static_cast<std::int64_t>(std::llround(estimate(got.start - want.start) / 360));
-  return stands_for(got.start, want.start + Number(turns) * 360, terms.resolution, terms);
+  return stands_for(got.start, want.start + Number(turns) * 360, tolerances.resolution, tolerances);
 }
 
-bool times_agree(const Record& want, const Record& got, const Tolerances& terms) {
-  return stands_for(got.seconds, want.seconds, terms.resolution, terms);
+bool times_agree(const Record& want, const Record& got, const Tolerances& tolerances) {
+  return stands_for(got.seconds, want.seconds, tolerances.resolution, tolerances);
 }
 
 }  // namespace gonogo::oracle

@@ -15,16 +15,16 @@ namespace gonogo::oracle {
 // Whether a number of the subject's is the exact one, or as far off as rounding makes it.
 // `resolution`: what is declared of such numbers.
 bool stands_for(const Number& got, const Number& exact, const std::optional<Number>& resolution,
-                const Tolerances& terms);
+                const Tolerances& tolerances);
 
 // Compares two cutting motions.
-bool feeds_agree(const Record& want, const Record& got, const Tolerances& terms);
+bool feeds_agree(const Record& want, const Record& got, const Tolerances& tolerances);
 bool feeds_agree(const Number& want, reference::FeedMode mode, const Record& got,
-                 const Tolerances& terms);
+                 const Tolerances& tolerances);
 // Compares two threads; angles a whole turn apart are the same.
-bool leads_agree(const Record& want, const Record& got, const Tolerances& terms);
-bool start_angles_agree(const Record& want, const Record& got, const Tolerances& terms);
+bool leads_agree(const Record& want, const Record& got, const Tolerances& tolerances);
+bool start_angles_agree(const Record& want, const Record& got, const Tolerances& tolerances);
 // Compares two dwells.
-bool times_agree(const Record& want, const Record& got, const Tolerances& terms);
+bool times_agree(const Record& want, const Record& got, const Tolerances& tolerances);
 
 }  // namespace gonogo::oracle

@@ -80,11 +80,11 @@ std::size_t PlainMotion::coordinates() const {
   return static_cast<std::size_t>(ends) + (kind == RecordKind::arc ? 2 : 0);
 }
 
-bool PlainMotion::is_visible(const Tolerances& terms) const {
+bool PlainMotion::is_visible(const Tolerances& tolerances) const {
   // Up to here two doubles are off by less than a millionth together.
   constexpr std::int64_t kFarthest = std::int64_t{1} << 51;
-  if (!is_small(terms.tolerance)) return false;
-  const std::int64_t tau = NumberAccess::millionths(terms.tolerance);
+  if (!is_small(tolerances.tolerance)) return false;
+  const std::int64_t tau = NumberAccess::millionths(tolerances.tolerance);
   // Without a branch an axis: all axes at once.
   bool far = false;
   for (std::size_t i = 0; i < kAxes; ++i) {

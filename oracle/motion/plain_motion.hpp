@@ -41,7 +41,7 @@ struct PlainMotion {
 
   // Whether it is longer than the tolerance along an axis, so that neither side drops it: even
   // after what a subject's doubles may be off.
-  bool is_visible(const Tolerances& terms) const;
+  bool is_visible(const Tolerances& tolerances) const;
 };
 
 // A place in millionths; false where a number takes more. And back.

@@ -16,22 +16,22 @@ std::optional<Number> at_most(const std::optional<Number>& declared, const Numbe
 Tolerances make_tolerances(const SubjectInfo& subject, const reference::Profile& profile,
                            const Grants& grants) {
   const Number increment = profile.resolution();
-  Tolerances terms;
-  terms.increment = increment;
+  Tolerances tolerances;
+  tolerances.increment = increment;
   // A subject that rounds more coarsely than the machine is not excused by saying so; a granted
   // tolerance is one of axes, not of leads, angles and dwells.
-  terms.resolution = at_most(subject.resolution, increment);
-  terms.tolerance = terms.resolution.value_or(increment);
-  if (grants.tolerance) terms.tolerance = terms.granted = *grants.tolerance;
-  if (grants.chord) terms.chord = *grants.chord;
-  terms.feed_resolution = at_most(subject.feed_resolution, increment);
-  if (grants.feed_resolution) terms.feed_resolution = grants.feed_resolution;
-  terms.binary64 = subject.numeric_kind == "binary64";
-  terms.exact = subject.says_numeric && subject.numeric_kind == "exact";
-  terms.compare_blocks = subject.features.contains("blocks");
-  terms.compare_m = subject.features.contains("m");
-  terms.strict = grants.strict;
-  return terms;
+  tolerances.resolution = at_most(subject.resolution, increment);
+  tolerances.tolerance = tolerances.resolution.value_or(increment);
+  if (grants.tolerance) tolerances.tolerance = tolerances.granted = *grants.tolerance;
+  if (grants.chord) tolerances.chord = *grants.chord;
+  tolerances.feed_resolution = at_most(subject.feed_resolution, increment);
+  if (grants.feed_resolution) tolerances.feed_resolution = grants.feed_resolution;
+  tolerances.binary64 = subject.numeric_kind == "binary64";
+  tolerances.exact = subject.says_numeric && subject.numeric_kind == "exact";
+  tolerances.compare_blocks = subject.features.contains("blocks");
+  tolerances.compare_m = subject.features.contains("m");
+  tolerances.strict = grants.strict;
+  return tolerances;
 }
 
 std::vector<Capped> capped(const SubjectInfo& subject, const reference::Profile& profile,

@@ -18,8 +18,8 @@ const Number kHalf = Number(1) / 2;
 }  // namespace
 
 HelixPocketJudge::HelixPocketJudge(const reference::HelixPocket& item, const Position& place,
-                                   const Tolerances& terms)
-    : item_(item), place_(place), terms_(terms), axes_(reference::axes_of(item.plane)) {
+                                   const Tolerances& tolerances)
+    : item_(item), place_(place), tolerances_(tolerances), axes_(reference::axes_of(item.plane)) {
   shape_.block = item.block;
   shape_.clause = "GSK-G112-05"_clause;
   shape_.plane = item.plane;
@@ -70,12 +70,12 @@ bool HelixPocketJudge::is_before(const Motion& motion) const {
 // A semicircle of this diameter stays where it is, as far as can be seen: rounded, it may be an arc
 // that ends on its own centre; as the way back it may be left out.
 bool HelixPocketJudge::semicircle_is_unseen() const {
-  return item_.radius <= terms_.tolerance;
+  return item_.radius <= tolerances_.tolerance;
 }
 
 // Whether a cut may be such a semicircle or a piece of it: all of it lies near the centre.
 bool HelixPocketJudge::stays_at_centre(const Motion& motion) const {
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   const auto near = [&](const Number& p, const Number& q, const Number& within) {
     return agree(p, item_.centre[0], within) && agree(q, item_.centre[1], within);
   };
@@ -84,7 +84,7 @@ bool HelixPocketJudge::stays_at_centre(const Motion& motion) const {
                                          !near(record.centre[0], record.centre[1], tau * 2))) {
     return false;
   }
-  return is_cut(record.kind) && feeds_agree(item_.feed, item_.feed_mode, record, terms_) &&
+  return is_cut(record.kind) && feeds_agree(item_.feed, item_.feed_mode, record, tolerances_) &&
          agree(motion.from[axes_.d], motion.to()[axes_.d], tau) &&
          near(motion.from[axes_.p], motion.from[axes_.q], tau) &&
          near(motion.to()[axes_.p], motion.to()[axes_.q], tau);
@@ -116,10 +116,10 @@ OpenStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion
 
 OpenStepAnswer HelixPocketJudge::take(const Motion& motion) {
   if (phase_ == Phase::over) return OpenStepAnswer::end(motion.from);
-  if (terms_.compare_blocks && motion.record.block != item_.block) {
+  if (tolerances_.compare_blocks && motion.record.block != item_.block) {
     return OpenStepAnswer::decide(incomplete(motion.from));
   }
-  if (turns_rotary_axis(place_, motion.to(), terms_.tolerance)) {
+  if (turns_rotary_axis(place_, motion.to(), tolerances_.tolerance)) {
     return departs({Departure::geometry, false, "A rotary axis moves in a pocket."}, motion);
   }
   switch (phase_) {
@@ -137,7 +137,7 @@ Motion HelixPocketJudge::semicircle(const Position& from, const Position& to) co
   arc.from = from;
   arc.record.kind = RecordKind::arc;
   arc.record.plane = item_.plane;
-  arc.record.block = terms_.compare_blocks ? item_.block : 0;
+  arc.record.block = tolerances_.compare_blocks ? item_.block : 0;
   arc.record.clause = clause();
   arc.record.rot = item_.sense;
   arc.record.feed = item_.feed;
@@ -155,7 +155,7 @@ OpenArc HelixPocketJudge::open_semicircle(const OpenStart& starts) const {
   open.origin = {item_.centre[0], item_.centre[1]};
   open.centre = {kHalf, 0};
   open.radius = item_.radius / 2;
-  open.slack = terms_.tolerance / 2;
+  open.slack = tolerances_.tolerance / 2;
   return open;
 }
 
@@ -171,7 +171,7 @@ MatchResult HelixPocketJudge::match_entry(OpenStart& starts) const {
   Position end = entry_.back().to();
   end[axes_.d] = item_.r_plane;
   const Motion want = semicircle(centre, end);
-  CurveFollower match(want, terms_, open_semicircle(starts));
+  CurveFollower match(want, tolerances_, open_semicircle(starts));
   MatchResult result;
   for (const Motion& motion : entry_) {
     result = match.match(motion);
@@ -188,7 +188,7 @@ OpenStepAnswer HelixPocketJudge::take_entry(const Motion& motion) {
   const MatchResult result = open_.match(motion);
   if (result.done) return end_helix(motion);
   const bool begun = !open_.empty() || result.departure != Departure::none;
-  if (!agree(motion.to()[axes_.d], item_.r_plane, terms_.tolerance)) {
+  if (!agree(motion.to()[axes_.d], item_.r_plane, tolerances_.tolerance)) {
     if (!begun) return wrong_entry(motion);
     phase_ = Phase::helix;
     return open_.empty() ? departs(result, motion) : OpenStepAnswer{};
@@ -199,14 +199,14 @@ OpenStepAnswer HelixPocketJudge::take_entry(const Motion& motion) {
                                "An entry of more than 50,000 motions is not judged.");
   }
   entry_.push_back(motion);
-  OpenStart starts(item_.radius, terms_.tolerance);
+  OpenStart starts(item_.radius, tolerances_.tolerance);
   if (!starts.narrow({}, shape_.from_axis(motion.to()))) return {};
   MatchResult entry = match_entry(starts);
   if (entry.departure != Departure::none) {
     if (!entry_fault_) entry_fault_ = {std::move(entry), motion};
     return {};
   }
-  if (!open_.add(shape_, std::move(starts), motion.to(), terms_)) {
+  if (!open_.add(shape_, std::move(starts), motion.to(), tolerances_)) {
     return OpenStepAnswer::gap(GapReason::cap_ways, "The helix may have begun at too many points.");
   }
   return {};
@@ -224,7 +224,7 @@ OpenStepAnswer HelixPocketJudge::take_helix(const Motion& motion) {
   const MatchResult result = open_.match(motion);
   if (result.done) return end_helix(motion);
   if (result.departure == Departure::none) return {};
-  const bool at_bottom = agree(motion.from[axes_.d], item_.bottom, terms_.tolerance);
+  const bool at_bottom = agree(motion.from[axes_.d], item_.bottom, tolerances_.tolerance);
   if (!at_bottom || result.departure == Departure::undecided) return departs(result, motion);
   Motion at = motion;
   at.record.to = motion.from;
@@ -259,16 +259,16 @@ void HelixPocketJudge::prepare_bottom(Phase phase) {
     open.radius = item_.radius;
     open.slack = 0;
   }
-  match_.emplace(want_, terms_, open);
+  match_.emplace(want_, tolerances_, open);
 }
 
 // What is left of a helix or circle that ended within the tolerance of its end: to a place that may
 // be that end, too (R2, R8).
 bool HelixPocketJudge::is_remainder(const Motion& motion) const {
   return is_cut(motion.record.kind) && !nearly_full_turn(motion) &&
-         agree(motion.from, want_.from, terms_.tolerance * 2) &&
-         agree(motion.to(), want_.from, terms_.tolerance * 2) &&
-         agree(motion.to()[axes_.d], item_.bottom, terms_.tolerance) &&
+         agree(motion.from, want_.from, tolerances_.tolerance * 2) &&
+         agree(motion.to(), want_.from, tolerances_.tolerance * 2) &&
+         agree(motion.to()[axes_.d], item_.bottom, tolerances_.tolerance) &&
          helix_.front().starts().admits(shape_.to_end, shape_.from_axis(motion.to()));
 }
 

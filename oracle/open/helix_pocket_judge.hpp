@@ -15,10 +15,10 @@ namespace gonogo::oracle {
 
 class HelixPocketJudge : public OpenStep {
  public:
-  // `item` and `terms` must outlive the judge.
+  // `item` and `tolerances` must outlive the judge.
   // `place`: where the reference stands before it.
   HelixPocketJudge(const reference::HelixPocket& item, const Position& place,
-                   const Tolerances& terms);
+                   const Tolerances& tolerances);
 
   // The path ends with the motion that reaches the centre at the bottom; what follows is `ended`.
   OpenStepAnswer take(const Motion& motion) override;
@@ -49,7 +49,7 @@ class HelixPocketJudge : public OpenStep {
 
   const reference::HelixPocket& item_;
   Position place_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   reference::PlaneAxes axes_;
   HelixShape shape_;
   Phase phase_ = Phase::entry;

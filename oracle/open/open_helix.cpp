@@ -4,12 +4,12 @@
 namespace gonogo::oracle {
 namespace {
 
-Motion wanted(const HelixShape& shape, const Position& at, const Tolerances& terms) {
+Motion wanted(const HelixShape& shape, const Position& at, const Tolerances& tolerances) {
   const reference::PlaneAxes axes = reference::axes_of(shape.plane);
   Motion want;
   want.record.kind = RecordKind::arc;
   want.record.plane = shape.plane;
-  want.record.block = terms.compare_blocks ? shape.block : 0;
+  want.record.block = tolerances.compare_blocks ? shape.block : 0;
   want.record.clause = shape.clause;
   want.record.centre = shape.centre;
   want.record.rot =
@@ -38,12 +38,12 @@ PlaneVector HelixShape::from_axis(const Position& at) const {
 }
 
 OpenHelix::OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at,
-                     const Tolerances& terms)
+                     const Tolerances& tolerances)
     : origin_{shape.centre[0], shape.centre[1]},
       starts_(std::move(starts)),
-      want_(wanted(shape, at, terms)),
+      want_(wanted(shape, at, tolerances)),
       to_end_(shape.to_end),
-      match_(want_, terms,
+      match_(want_, tolerances,
              OpenArc{&starts_, origin_, shape.to_end, {0, 0}, shape.radius, Number(0)}) {}
 
 MatchResult OpenHelix::match(const Motion& motion) {
@@ -72,17 +72,17 @@ MatchResult OpenHelices::match(const Motion& motion) {
 }
 
 bool OpenHelices::add(const HelixShape& shape, OpenStart starts, const Position& at,
-                      const Tolerances& terms) {
+                      const Tolerances& tolerances) {
   if (open_.size() >= kMostStarts) return false;
-  open_.emplace_back(shape, std::move(starts), at, terms);
+  open_.emplace_back(shape, std::move(starts), at, tolerances);
   return true;
 }
 
 std::optional<OpenStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
-                                         const Tolerances& terms) {
+                                         const Tolerances& tolerances) {
   const Record& record = motion.record;
-  const Number& tau = terms.tolerance;
-  const bool chord = record.kind == RecordKind::feed && terms.chord.sign() > 0;
+  const Number& tau = tolerances.tolerance;
+  const bool chord = record.kind == RecordKind::feed && tolerances.chord.sign() > 0;
   if (record.kind != RecordKind::arc && !chord) return std::nullopt;
   if (record.kind == RecordKind::arc &&
       (record.plane != shape.plane || (record.rot < 0) != (shape.sense < 0) ||

@@ -34,8 +34,9 @@ struct HelixShape {
 // One place where the helix may have begun.
 class OpenHelix {
  public:
-  // `starts`: those that agree with where the subject stands, `at`. `terms` must outlive it.
-  OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at, const Tolerances& terms);
+  // `starts`: those that agree with where the subject stands, `at`. `tolerances` must outlive it.
+  OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at,
+            const Tolerances& tolerances);
   OpenHelix(const OpenHelix&) = delete;
   MatchResult match(const Motion& motion);
   const OpenStart& starts() const { return starts_; }
@@ -58,7 +59,7 @@ class OpenHelices {
   MatchResult match(const Motion& motion);
   // False: there are too many to be followed.
   [[nodiscard]] bool add(const HelixShape& shape, OpenStart starts, const Position& at,
-                         const Tolerances& terms);
+                         const Tolerances& tolerances);
   bool empty() const { return open_.empty(); }
   // The complete one.
   std::list<OpenHelix> take_done() { return std::move(done_); }
@@ -72,6 +73,6 @@ class OpenHelices {
 // Whether a motion may be the first piece of the helix, by kind, plane, centre and sense, where it
 // starts at the top; then the starts that agree with that.
 std::optional<OpenStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
-                                         const Tolerances& terms);
+                                         const Tolerances& tolerances);
 
 }  // namespace gonogo::oracle

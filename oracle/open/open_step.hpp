@@ -73,8 +73,8 @@ class OpenStepMemory;
 
 // The judge of a step, from where the reference stands before it. Null for a step that is not open.
 // All that is given must outlive it.
-std::unique_ptr<OpenStep> make_open_step(const ReferenceSteps::Step& step, const Tolerances& terms,
-                                         OpenStepMemory& memory);
+std::unique_ptr<OpenStep> make_open_step(const ReferenceSteps::Step& step,
+                                         const Tolerances& tolerances, OpenStepMemory& memory);
 
 bool is_open_step(const ReferenceStep& step);
 

@@ -15,19 +15,19 @@ bool is_open_step(const ReferenceStep& step) {
          std::holds_alternative<reference::PocketMilling>(step);
 }
 
-std::unique_ptr<OpenStep> make_open_step(const ReferenceSteps::Step& step, const Tolerances& terms,
-                                         OpenStepMemory& memory) {
+std::unique_ptr<OpenStep> make_open_step(const ReferenceSteps::Step& step,
+                                         const Tolerances& tolerances, OpenStepMemory& memory) {
   if (auto* level = std::get_if<reference::PocketLevel>(&step.what)) {
-    return std::make_unique<PocketLevelStep>(*level, step.place, terms, memory.level);
+    return std::make_unique<PocketLevelStep>(*level, step.place, tolerances, memory.level);
   }
   if (auto* pocket = std::get_if<reference::HelixPocket>(&step.what)) {
-    return std::make_unique<HelixPocketJudge>(*pocket, step.place, terms);
+    return std::make_unique<HelixPocketJudge>(*pocket, step.place, tolerances);
   }
   if (auto* thread = std::get_if<reference::ThreadMilling>(&step.what)) {
-    return std::make_unique<ThreadStep>(*thread, step.place, terms, memory.run_outs);
+    return std::make_unique<ThreadStep>(*thread, step.place, tolerances, memory.run_outs);
   }
   if (auto* pocket = std::get_if<reference::PocketMilling>(&step.what)) {
-    return std::make_unique<PocketMillingJudge>(*pocket, step.place, terms);
+    return std::make_unique<PocketMillingJudge>(*pocket, step.place, tolerances);
   }
   return nullptr;
 }

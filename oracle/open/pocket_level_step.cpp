@@ -47,13 +47,13 @@ bool same_level(const PocketLevel& a, const PocketLevel& b) {
 }  // namespace
 
 PocketLevelStep::PocketLevelStep(const PocketLevel& level, const Position& place,
-                                 const Tolerances& terms, std::optional<JudgedLevel>& last)
+                                 const Tolerances& tolerances, std::optional<JudgedLevel>& last)
     : level_(level),
       axes_(axes_of(level.plane)),
       place_(place),
-      terms_(terms),
+      tolerances_(tolerances),
       last_(last),
-      again_(ring_width(level.step, terms.level_tolerance())) {}
+      again_(ring_width(level.step, tolerances.level_tolerance())) {}
 
 OpenStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion,
                                         std::string message) const {
@@ -74,8 +74,8 @@ bool PocketLevelStep::is_before(const Motion& motion) const {
 // A traverse ends the level: at depth it is the retract's business, which may be too small to see.
 bool PocketLevelStep::collects(const Motion& motion) const {
   const Record& record = motion.record;
-  const bool other_block = terms_.compare_blocks && record.block != level_.block;
-  if (other_block || !agree(motion.to()[axes_.d], motion.from[axes_.d], terms_.tolerance)) {
+  const bool other_block = tolerances_.compare_blocks && record.block != level_.block;
+  if (other_block || !agree(motion.to()[axes_.d], motion.from[axes_.d], tolerances_.tolerance)) {
     return false;
   }
   return record.kind == RecordKind::feed || record.kind == RecordKind::arc;
@@ -98,16 +98,16 @@ OpenStepAnswer PocketLevelStep::take(const Motion& motion) {
 OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   const Record& record = motion.record;
   if (motions_.empty()) plunge_ = motion.from;
-  if (!agree(motion.to()[axes_.d], level_.depth, terms_.tolerance)) {
+  if (!agree(motion.to()[axes_.d], level_.depth, tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.");
   }
-  if (turns_rotary_axis(motion, terms_.tolerance)) {
+  if (turns_rotary_axis(motion, tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, motion, "A rotary axis moves in a level.");
   }
   if (record.kind == RecordKind::arc && record.plane != level_.plane) {
     return departs(VerdictKind::fail_region, motion, "The arc lies in another plane.");
   }
-  if (!feeds_agree(level_.feed, level_.feed_mode, record, terms_)) {
+  if (!feeds_agree(level_.feed, level_.feed_mode, record, tolerances_)) {
     return departs(VerdictKind::fail_feed, motion, "The feed of the level differs.");
   }
   if (!again_.allows(motion)) {
@@ -138,9 +138,9 @@ region::CircularLevel PocketLevelStep::circle(const Position& plunge) const {
   circle.step = level_.step;
   circle.sense = level_.sense;
   circle.plunge = plane_point(plunge, axes_);
-  circle.tolerance = terms_.level_tolerance();
-  circle.chord = terms_.chord;
-  circle.open_turns = open_turns(level_.centre, level_.pocket_radius, terms_);
+  circle.tolerance = tolerances_.level_tolerance();
+  circle.chord = tolerances_.chord;
+  circle.open_turns = open_turns(level_.centre, level_.pocket_radius, tolerances_);
   return circle;
 }
 
@@ -168,7 +168,7 @@ bool PocketLevelStep::is_known() const {
 bool PocketLevelStep::is_judged_at_alarm(const Position& here) const {
   if (!motions_.empty()) return true;
   const Number wider = level_.pocket_radius - level_.tool_radius;
-  if (wider > terms_.level_tolerance() * 2 + terms_.chord) return false;
+  if (wider > tolerances_.level_tolerance() * 2 + tolerances_.chord) return false;
   return region::judge_level(circle(here), {}).kind == region::LevelVerdict::Kind::go;
 }
 
@@ -177,7 +177,7 @@ std::optional<Verdict> PocketLevelStep::end(const Position& here) {
   // Levels no farther apart than the tolerance are one level, and this one is cleared.
   const bool known = is_known();
   const bool cleared = motions_.empty() && last_ && same_level(last_->level, level_) &&
-                       agree(last_->level.depth, level_.depth, terms_.tolerance);
+                       agree(last_->level.depth, level_.depth, tolerances_.tolerance);
   if (known) last_->level.depth = level_.depth;
   if (known || cleared) return std::nullopt;
   const region::LevelVerdict answer = region::judge_level(circle(plunge_), motions_);

@@ -25,7 +25,7 @@ class PocketLevelStep : public OpenStep {
  public:
   // All must outlive it. `place`: where the reference stands, at the plunge.
   PocketLevelStep(const reference::PocketLevel& level, const Position& place,
-                  const Tolerances& terms, std::optional<JudgedLevel>& last);
+                  const Tolerances& tolerances, std::optional<JudgedLevel>& last);
 
   OpenStepAnswer take(const Motion& motion) override;
   std::optional<Verdict> end(const Position& here) override;
@@ -47,7 +47,7 @@ class PocketLevelStep : public OpenStep {
   const reference::PocketLevel& level_;
   reference::PlaneAxes axes_;
   Position place_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   std::optional<JudgedLevel>& last_;
   Position plunge_;  // where the tool came down
   std::vector<region::LevelMotion> motions_;

@@ -97,10 +97,10 @@ region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const
   level.tool_radius = item_.tool_radius;
   level.sense = item_.sense;
   level.plunge = plunge_;
-  level.tolerance = terms_.level_tolerance();
+  level.tolerance = tolerances_.level_tolerance();
   level.slack = slack_;
-  level.chord = terms_.chord;
-  level.open_turns = open_turns(item_.centre, item_.length + item_.width, terms_);
+  level.chord = tolerances_.chord;
+  level.open_turns = open_turns(item_.centre, item_.length + item_.width, tolerances_);
   return level;
 }
 
@@ -152,7 +152,7 @@ OpenStepAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
 }
 
 bool PocketMillingJudge::is_floor(const Number& depth) const {
-  return agree(depth, item_.floor, terms_.tolerance);
+  return agree(depth, item_.floor, tolerances_.tolerance);
 }
 
 bool PocketMillingJudge::may_be_above_floor() const {
@@ -169,7 +169,7 @@ std::optional<Number> PocketMillingJudge::place_of(const Number& depth) const {
   const Number half = Number(1) / Number(2);
   const Number place = ((item_.top() - depth) / step + half).floor();
   const bool found = place.sign() > 0 && place <= count &&
-                     agree(item_.depth_of_level(place), depth, terms_.tolerance);
+                     agree(item_.depth_of_level(place), depth, tolerances_.tolerance);
   return found ? std::optional(place) : std::nullopt;
 }
 
@@ -178,9 +178,9 @@ std::optional<Number> PocketMillingJudge::place_of(const Number& depth) const {
 bool PocketMillingJudge::is_due(const Number& place) const {
   if (place <= next_level_) return place == next_level_;
   const Number above = item_.depth_of_level(place - 1);
-  if (above >= last_depth_ - terms_.tolerance) return true;
+  if (above >= last_depth_ - tolerances_.tolerance) return true;
   if (!item_.finishing) return false;
-  return !has_strip() || above >= item_.reference_plane - terms_.tolerance;
+  return !has_strip() || above >= item_.reference_plane - tolerances_.tolerance;
 }
 
 // The named level that a level at this depth is. Beside the floor it may be the one above it.
@@ -189,14 +189,14 @@ std::optional<Number> PocketMillingJudge::due_place(const Number& depth) const {
   if (!place || is_due(*place)) return place;
   for (const Number& other : {*place - 1, next_level_}) {
     const bool near = other.sign() > 0 && other < *place &&
-                      agree(item_.depth_of_level(other), depth, terms_.tolerance);
+                      agree(item_.depth_of_level(other), depth, tolerances_.tolerance);
     if (near && is_due(other)) return other;
   }
   return std::nullopt;
 }
 
 bool PocketMillingJudge::admits_depth(const Number& depth) const {
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   if (depth < item_.floor - tau) return false;
   // Where the tool can only go down, levels leave no trace: it may rise and sink again anywhere.
   if (is_point()) return true;
@@ -214,16 +214,16 @@ bool PocketMillingJudge::admits_depth(const Number& depth) const {
 }
 
 bool PocketMillingJudge::is_point() const {
-  return max(reach_.core_p, reach_.core_q) + reach_.radius <= terms_.tolerance;
+  return max(reach_.core_p, reach_.core_q) + reach_.radius <= tolerances_.tolerance;
 }
 
 bool PocketMillingJudge::above_centre(const Position& at) const {
-  return agree(at[axes_.p], item_.centre[0], terms_.tolerance) &&
-         agree(at[axes_.q], item_.centre[1], terms_.tolerance);
+  return agree(at[axes_.p], item_.centre[0], tolerances_.tolerance) &&
+         agree(at[axes_.q], item_.centre[1], tolerances_.tolerance);
 }
 
 bool PocketMillingJudge::has_feed(const Motion& motion, const Number& feed) const {
-  return feeds_agree(feed, item_.feed_mode, motion.record, terms_);
+  return feeds_agree(feed, item_.feed_mode, motion.record, tolerances_);
 }
 
 void PocketMillingJudge::take_slack_of(const Motion& motion) {
@@ -272,8 +272,8 @@ std::optional<bool> PocketMillingJudge::stays_in(const Motion& motion,
     if (turns) return region::reach_of(region::make_arc(part, {}), limit(margin)).kind;
     return ends_outside(limit(margin)) ? region::Reach::Kind::outside : region::Reach::Kind::inside;
   };
-  const Number narrow = terms_.tolerance - slack_;
-  const Number wide = terms_.tolerance + slack_;
+  const Number narrow = tolerances_.tolerance - slack_;
+  const Number wide = tolerances_.tolerance + slack_;
   if (is_spiral) {
     if (ends_outside(limit(wide))) return false;
     // It goes no farther than the circle that it comes from or grows to.

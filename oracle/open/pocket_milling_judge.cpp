@@ -18,10 +18,10 @@ region::RoundedRectangle area_of(const Number& length, const Number& width, cons
 }  // namespace
 
 PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, const Position& place,
-                                       const Tolerances& terms)
+                                       const Tolerances& tolerances)
     : item_(item),
       place_(place),
-      terms_(terms),
+      tolerances_(tolerances),
       axes_(reference::axes_of(item.plane)),
       area_(area_of(item.length, item.width, item.corner_radius)),
       frame_(region::make_frame({item.centre[0], item.centre[1]}, item.direction[0],
@@ -33,7 +33,7 @@ PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, con
       last_depth_(item.clearance),
       lowest_(item.clearance),
       depth_(item.clearance),
-      again_(ring_width(item.tool_radius, terms.level_tolerance())) {
+      again_(ring_width(item.tool_radius, tolerances.level_tolerance())) {
   // SIE-LC75-10: what a tool of this radius cleared in roughing; nothing where it does not fit.
   const Number narrower = min(item.length, item.width) - item.allowance * 2;
   if (!item.finishing || narrower < item.tool_radius * 2) return;
@@ -77,8 +77,8 @@ OpenStep::Exit PocketMillingJudge::exit(const Position& /*here*/) const {
 
 // A traverse is no part of a level; only of a pocket as deep as the tolerance it may be the end.
 bool PocketMillingJudge::sees(const Motion& small) const {
-  if (terms_.compare_blocks && small.record.block != item_.block) return false;
-  const Number& tau = terms_.tolerance;
+  if (tolerances_.compare_blocks && small.record.block != item_.block) return false;
+  const Number& tau = tolerances_.tolerance;
   const bool is_shallow = item_.retract - item_.floor <= tau;
   if (small.record.kind == RecordKind::rapid && !is_shallow) return false;
   return !agree(small.from, small.to(), tau / kRoundingOfTolerance);
@@ -97,20 +97,20 @@ OpenStepAnswer PocketMillingJudge::take(const Motion& motion) {
 
 OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
   if (over_) return OpenStepAnswer::end(motion.from);
-  if (terms_.compare_blocks && motion.record.block != item_.block) {
+  if (tolerances_.compare_blocks && motion.record.block != item_.block) {
     if (milling_) {
       const OpenStepAnswer answer = finish_level(motion);
       if (answer.is_decided()) return answer;
     }
     // A lift that is too small to see may be missing.
-    over_ = floor_done_ && item_.floor >= item_.retract - terms_.tolerance &&
+    over_ = floor_done_ && item_.floor >= item_.retract - tolerances_.tolerance &&
             above_centre(motion.from) &&
-            agree(motion.from[axes_.d], item_.retract, terms_.tolerance);
+            agree(motion.from[axes_.d], item_.retract, tolerances_.tolerance);
     if (over_) return OpenStepAnswer::end(motion.from);
     return OpenStepAnswer::decide(incomplete(motion.from));
   }
   const RecordKind kind = motion.record.kind;
-  if (turns_rotary_axis(motion, terms_.tolerance)) {
+  if (turns_rotary_axis(motion, tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, item_.clause, motion,
                    "A rotary axis moves in a pocket.");
   }
@@ -131,7 +131,7 @@ OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
   const Number& from = motion.from[axes_.d];
   const Number& to = motion.to()[axes_.d];
   // SIE-LC75-05: levels may begin above what is to be cut.
-  if (to < lowest_ - terms_.tolerance && is_near_cleared(to)) {
+  if (to < lowest_ - tolerances_.tolerance && is_near_cleared(to)) {
     lowest_ = to;
     again_.clear();
   }
@@ -152,8 +152,8 @@ void PocketMillingJudge::note_floor_cut(const Motion& motion) {
 
 bool PocketMillingJudge::goes_along_depth(const Motion& motion) const {
   const Number way = exact::abs(motion.to()[axes_.d] - motion.from[axes_.d]);
-  if (way > terms_.tolerance) return true;
-  const Number rounding = terms_.tolerance / kRoundingOfTolerance;
+  if (way > tolerances_.tolerance) return true;
+  const Number rounding = tolerances_.tolerance / kRoundingOfTolerance;
   return way > rounding && motion.record.kind != RecordKind::arc &&
          agree(motion.from[axes_.p], motion.to()[axes_.p], rounding) &&
          agree(motion.from[axes_.q], motion.to()[axes_.q], rounding);
@@ -161,8 +161,8 @@ bool PocketMillingJudge::goes_along_depth(const Motion& motion) const {
 
 bool PocketMillingJudge::stays_at_level(const Motion& motion) const {
   const Number& to = motion.to()[axes_.d];
-  if (!milling_ || !is_cut(motion.record.kind) || !agree(to, depth_, terms_.tolerance) ||
-      !agree(to, motion.from[axes_.d], terms_.tolerance)) {
+  if (!milling_ || !is_cut(motion.record.kind) || !agree(to, depth_, tolerances_.tolerance) ||
+      !agree(to, motion.from[axes_.d], tolerances_.tolerance)) {
     return false;
   }
   // In finishing, the floor is not cleared as the level just above it.
@@ -175,7 +175,7 @@ OpenStepAnswer PocketMillingJudge::take_along_plane(const Motion& motion) {
   const bool is_a_cut = is_cut(motion.record.kind);
   if (is_near_cleared(depth)) return take_near_cleared(motion);
   if (is_a_cut && has_feed(motion, item_.plane_feed)) return take_cut(motion);
-  const bool deep = depth < cleared_.rough - terms_.tolerance;
+  const bool deep = depth < cleared_.rough - tolerances_.tolerance;
   if (is_a_cut && !deep && stays_in(motion, rough_reach_).value_or(false)) {
     return OpenStepAnswer::take();
   }
@@ -192,8 +192,8 @@ OpenStepAnswer PocketMillingJudge::take_along_plane(const Motion& motion) {
 }
 
 bool PocketMillingJudge::is_near_cleared(const Number& depth) const {
-  const bool in_air = item_.finishing && depth >= item_.reference_plane - terms_.tolerance;
-  return in_air || depth >= cleared_.everywhere - terms_.tolerance;
+  const bool in_air = item_.finishing && depth >= item_.reference_plane - tolerances_.tolerance;
+  return in_air || depth >= cleared_.everywhere - tolerances_.tolerance;
 }
 
 // J-PKT-09: travel; but where the floor is as near as the tolerance, it may be the level at the
@@ -232,7 +232,7 @@ OpenStepAnswer PocketMillingJudge::take_cut(const Motion& motion) {
     const OpenStepAnswer answer = check_level_depth(motion);
     if (answer.is_decided()) return answer;
   }
-  if (!agree(motion.to()[axes_.d], depth_, terms_.tolerance)) {
+  if (!agree(motion.to()[axes_.d], depth_, tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
                    "The cut leaves the level's depth.");
   }
@@ -252,7 +252,8 @@ OpenStepAnswer PocketMillingJudge::collect(const Motion& motion) {
 OpenStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
   const Number& to = motion.to()[axes_.d];
   const bool is_last = is_point() && is_floor(to) && !floor_done_;
-  const bool cuts = is_last || to < min(cleared_.everywhere, cleared_.rough) - terms_.tolerance;
+  const bool cuts =
+      is_last || to < min(cleared_.everywhere, cleared_.rough) - tolerances_.tolerance;
   arrival_ = motion;
   if (!cuts) {
     const OpenStepAnswer travel = take_travel(motion);
@@ -305,7 +306,7 @@ OpenStepAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
 
 // Whether the motion may go where it goes: what is cleared, by this path or by roughing.
 OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   // R8: no clause leads above R101.
   if (motion.to()[axes_.d] > item_.retract + tau && motion.to()[axes_.d] > motion.from[axes_.d]) {
     return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
@@ -345,17 +346,17 @@ bool PocketMillingJudge::traverses_on_floor(const Motion& motion) const {
   if (motion.record.kind != RecordKind::rapid) return false;
   const Number& from = motion.from[axes_.d];
   const Number& to = motion.to()[axes_.d];
-  const bool leaves = to > from + terms_.tolerance;
-  const bool in_air = to >= item_.reference_plane - terms_.tolerance;
+  const bool leaves = to > from + tolerances_.tolerance;
+  const bool in_air = to >= item_.reference_plane - tolerances_.tolerance;
   if (leaves || in_air) return false;
-  if (item_.finishing) return to <= cleared_.rough + terms_.tolerance;
-  return to < from - terms_.tolerance && is_floor(to);
+  if (item_.finishing) return to <= cleared_.rough + tolerances_.tolerance;
+  return to < from - tolerances_.tolerance && is_floor(to);
 }
 
 // Whether a motion leads past R101 above the centre, behind the cycle. Without line numbers the
 // traverse is joined with what comes after it.
 bool PocketMillingJudge::passes_retract_plane(const Motion& motion) const {
-  return floor_done_ && !terms_.compare_blocks && motion.record.kind == RecordKind::rapid &&
+  return floor_done_ && !tolerances_.compare_blocks && motion.record.kind == RecordKind::rapid &&
          above_centre(motion.from) && above_centre(motion.to()) &&
          motion.from[axes_.d] < item_.retract && item_.retract < motion.to()[axes_.d];
 }
@@ -378,7 +379,7 @@ OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
     return OpenStepAnswer::take();
   }
   // SIE-LC75-13: the end is above the centre at R101.
-  over_ = agree(motion.to()[axes_.d], item_.retract, terms_.tolerance);
+  over_ = agree(motion.to()[axes_.d], item_.retract, tolerances_.tolerance);
   return over_ ? check_contour_only(motion) : OpenStepAnswer::take();
 }
 
@@ -387,8 +388,8 @@ OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
 OpenStepAnswer PocketMillingJudge::check_first(const Motion& motion) const {
   const bool below = min(motion.from[axes_.d], motion.to()[axes_.d]) < item_.clearance;
   if (item_.finishing || !first_ || milling_ || below) return OpenStepAnswer::take();
-  const bool sinks = motion.to()[axes_.d] <= motion.from[axes_.d] + terms_.tolerance;
-  const bool stays = above_centre(motion.to()) && !goes_round(motion, terms_.tolerance);
+  const bool sinks = motion.to()[axes_.d] <= motion.from[axes_.d] + tolerances_.tolerance;
+  const bool stays = above_centre(motion.to()) && !goes_round(motion, tolerances_.tolerance);
   if (sinks && stays) return OpenStepAnswer::take();
   return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
                  "The tool moves away before the first infeed, where no clause leads it.");

@@ -19,10 +19,10 @@ namespace gonogo::oracle {
 
 class PocketMillingJudge : public OpenStep {
  public:
-  // `item` and `terms` must outlive the judge. The tool stands at `place`, at the clearance above
-  // the centre.
+  // `item` and `tolerances` must outlive the judge. The tool stands at `place`, at the clearance
+  // above the centre.
   PocketMillingJudge(const reference::PocketMilling& item, const Position& place,
-                     const Tolerances& terms);
+                     const Tolerances& tolerances);
 
   // The path ends with the motion that reaches R101 above the centre; what follows is `ended`.
   OpenStepAnswer take(const Motion& motion) override;
@@ -96,7 +96,7 @@ class PocketMillingJudge : public OpenStep {
 
   const reference::PocketMilling& item_;
   Position place_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   reference::PlaneAxes axes_;
   region::RoundedRectangle area_;  // what the tool may touch
   region::PocketFrame frame_;

@@ -31,7 +31,7 @@ void ThreadEntry::begin(const Position& from, const Number& pass) {
 
 ThreadEntry::Taken ThreadEntry::add(const Motion& motion) {
   if (!departure_.empty()) return Taken::departs;
-  const Number& tau = geometry_.terms().tolerance;
+  const Number& tau = geometry_.tolerances().tolerance;
   const bool stays = agree(motion.from, motion.to(), tau) && agree(motion.to(), stands_, tau);
   if (stays && !nearly_full_turn(motion)) return Taken::nothing;
   std::optional<std::string> fault;
@@ -75,7 +75,7 @@ std::optional<std::string> ThreadEntry::add_arc(const Motion& motion) {
   }
   swept_.add(approximate_turns(motion));
   const double radius = std::hypot(estimate(end.p), estimate(end.q));
-  if (swept_.exceed_a_turn(estimate(geometry_.terms().tolerance * 2), radius)) {
+  if (swept_.exceed_a_turn(estimate(geometry_.tolerances().tolerance * 2), radius)) {
     return "The entry turns round more than once.";
   }
   if (!is_inside(motion)) {
@@ -89,7 +89,7 @@ std::optional<std::string> ThreadEntry::add_arc(const Motion& motion) {
 
 // R3: what keeps to its centre within the tolerance turns no way.
 bool ThreadEntry::is_seen(const PlaneVector& arm) const {
-  const Number& tau = geometry_.terms().tolerance;
+  const Number& tau = geometry_.tolerances().tolerance;
   return visible_sign(norm_squared(arm) - tau * tau) > 0;
 }
 
@@ -136,7 +136,7 @@ std::optional<std::string> ThreadEntry::fault_before_helix(const Position& here)
   const std::size_t last = points_.size() - 1;
   std::optional<std::string> fault = fault_of(last == 0 ? 0 : last - 1, end);
   if (!fault || last == 0) return fault;
-  const Number twice = geometry_.terms().tolerance * 2;
+  const Number twice = geometry_.tolerances().tolerance * 2;
   std::size_t first = last - 1;
   while (first > 0 && lie_along_a_line(std::span(points_).subspan(first - 1), twice)) --first;
   if (first != last - 1 && !fault_of(first, end)) return std::nullopt;
@@ -158,14 +158,14 @@ Position ThreadEntry::at(const PlaneVector& v) const {
 // With the infeed from this one of the points.
 std::optional<std::string> ThreadEntry::fault_of(std::size_t infeed,
                                                  const PlaneVector& here) const {
-  const Tolerances& terms = geometry_.terms();
-  const Number twice = terms.tolerance * 2;
+  const Tolerances& tolerances = geometry_.tolerances();
+  const Number twice = tolerances.tolerance * 2;
   const std::span<const PlaneVector> points(points_);
   if (infeed > 0) {
     // J-THR-01: chords where they are granted.
-    const bool chords =
-        chords_granted() && sense_ == 0 &&
-        are_chords_of_an_arc(points.first(infeed + 1), twice, terms.tolerance + terms.chord);
+    const bool chords = chords_granted() && sense_ == 0 &&
+                        are_chords_of_an_arc(points.first(infeed + 1), twice,
+                                             tolerances.tolerance + tolerances.chord);
     if (!chords) return "The entry is no arc: straight cuts lead to the start of the thread.";
   } else if (sense_ == 0 && !on_start_circle(points[0])) {
     return "The entry arc is missing.";

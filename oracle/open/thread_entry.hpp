@@ -40,7 +40,7 @@ class ThreadEntry {
   bool on_start_circle(const PlaneVector& at) const;
   Position at(const PlaneVector& v) const;
   Motion staying(const PlaneVector& v) const;  // there
-  bool chords_granted() const { return geometry_.terms().chord.sign() > 0; }
+  bool chords_granted() const { return geometry_.tolerances().chord.sign() > 0; }
 
   const ThreadGeometry& geometry_;
   Number radius_;                    // of the pass

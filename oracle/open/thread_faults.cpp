@@ -92,7 +92,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   if (on_the_way && !goes_on) {
     Motion at = motion;
     at.record.to = motion.from;
-    const bool at_bottom = agree(motion.from[axes_.d], item_.bottom, terms_.tolerance);
+    const bool at_bottom = agree(motion.from[axes_.d], item_.bottom, tolerances_.tolerance);
     return fault(kGeometry, clause, at,
                  at_bottom ? "The helix ends beside the place that its turns lead to."
                            : "The helix ends before the bottom of the thread.");
@@ -101,7 +101,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
     return fault(kGeometry, "GSK-G114-10"_clause, motion,
                  "A traverse goes below the R plane before the helix.");
   }
-  if (record.kind != RecordKind::arc && terms_.chord.sign() == 0) {
+  if (record.kind != RecordKind::arc && tolerances_.chord.sign() == 0) {
     return fault(kGeometry, clause, motion, "The tool goes below the R plane off the helix.");
   }
   if (!on_the_way && !geometry_.on_circle(motion.from, radius())) return wrong_radius(motion);
@@ -110,7 +110,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
     return fault(kGeometry, clause, motion, "The helix lies in another plane.");
   }
   for (std::size_t i : {0U, 1U}) {
-    if (agree(record.centre[i], item_.centre[i], terms_.tolerance)) continue;
+    if (agree(record.centre[i], item_.centre[i], tolerances_.tolerance)) continue;
     OpenStepAnswer answer =
         fault(kGeometry, clause, motion, "The helix turns about another centre.");
     set_deviation(answer.verdict, abs(record.centre[i] - item_.centre[i]));
@@ -119,7 +119,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   if ((record.rot < 0) != (item_.sense < 0)) {
     return fault(kGeometry, "GSK-G114-09"_clause, motion, "The helix turns the wrong way.");
   }
-  if (!on_the_way && !agree(motion.from[axes_.d], item_.r_plane, terms_.tolerance)) {
+  if (!on_the_way && !agree(motion.from[axes_.d], item_.r_plane, tolerances_.tolerance)) {
     OpenStepAnswer answer =
         fault(kGeometry, clause, motion, "The helix does not begin at the R plane.");
     set_deviation(answer.verdict, abs(motion.from[axes_.d] - item_.r_plane));
@@ -154,12 +154,12 @@ OpenStepAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
 
 // Lead, turns or depth: estimates only choose the name here.
 OpenStepAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
-  const double tau = approximate(terms_.tolerance);
+  const double tau = approximate(tolerances_.tolerance);
   const double lead = approximate(item_.lead);
   const double turns = approximate_turns(motion);
   const double down = approximate(height(motion.from) - height(motion.to()));
   const double slope = std::abs(down - turns * lead);
-  const bool at_bottom = agree(motion.to()[axes_.d], item_.bottom, terms_.tolerance);
+  const bool at_bottom = agree(motion.to()[axes_.d], item_.bottom, tolerances_.tolerance);
   std::string message = "The helix ends at another point.";
   const double turns_off = slope / lead;
   if (slope > 3 * tau) {

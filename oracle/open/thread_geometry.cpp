@@ -18,13 +18,13 @@ PlaneVector near_rational(const PlaneVector& v) {
   return {near_rational(v.p), near_rational(v.q)};
 }
 
-ThreadGeometry::ThreadGeometry(const reference::ThreadMilling& item, const Tolerances& terms)
+ThreadGeometry::ThreadGeometry(const reference::ThreadMilling& item, const Tolerances& tolerances)
     : item_(item),
-      terms_(terms),
-      loose_(terms),
+      tolerances_(tolerances),
+      loose_(tolerances),
       axes_(reference::axes_of(item.plane)),
       up_(item.r_plane < item.bottom ? -1 : 1) {
-  loose_.tolerance = terms.tolerance * kTwoPlaces;
+  loose_.tolerance = tolerances.tolerance * kTwoPlaces;
 }
 
 PlaneVector ThreadGeometry::from_axis(const Position& at) const {
@@ -32,7 +32,7 @@ PlaneVector ThreadGeometry::from_axis(const Position& at) const {
 }
 
 bool ThreadGeometry::on_circle(const Position& at, const Number& radius) const {
-  return OpenStart(radius, terms_.tolerance).admits({}, from_axis(at));
+  return OpenStart(radius, tolerances_.tolerance).admits({}, from_axis(at));
 }
 
 bool ThreadGeometry::is_free(const Position& at, const Number& radius) const {
@@ -43,7 +43,7 @@ bool ThreadGeometry::is_free(const Position& at, const Number& radius) const {
 
 bool ThreadGeometry::is_safe(const Position& at, int side) const {
   const Number safe = reference::gsk988ta::safe_radius(item_);
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   const PlaneVector v = from_axis(at);
   if (side != 0) return agree(v.p, safe * side, tau);
   if (item_.external) return is_free(at, safe);
@@ -51,20 +51,20 @@ bool ThreadGeometry::is_safe(const Position& at, int side) const {
 }
 
 bool ThreadGeometry::is_beyond_reach(const Position& at) const {
-  return item_.external && abs(from_axis(at).p) > reach() + terms_.tolerance;
+  return item_.external && abs(from_axis(at).p) > reach() + tolerances_.tolerance;
 }
 
 bool ThreadGeometry::moves_depth_alone(const Motion& motion) const {
-  return moved_axes(motion, terms_.tolerance) == AxisSet{axes_.d};
+  return moved_axes(motion, tolerances_.tolerance) == AxisSet{axes_.d};
 }
 
 bool ThreadGeometry::moves_first_axis_alone(const Motion& motion) const {
-  return moved_axes(motion, terms_.tolerance) == AxisSet{axes_.p} && !nearly_full_turn(motion) &&
-         motion.record.kind != RecordKind::arc;
+  return moved_axes(motion, tolerances_.tolerance) == AxisSet{axes_.p} &&
+         !nearly_full_turn(motion) && motion.record.kind != RecordKind::arc;
 }
 
 bool ThreadGeometry::moves_in_plane(const Motion& motion) const {
-  const AxisSet moved = moved_axes(motion, terms_.tolerance);
+  const AxisSet moved = moved_axes(motion, tolerances_.tolerance);
   return moved.has(axes_.p) || moved.has(axes_.q) || nearly_full_turn(motion);
 }
 
@@ -75,7 +75,7 @@ Clearance ThreadGeometry::clearance(const Motion& motion, const Number& radius,
 
 Clearance ThreadGeometry::clearance_of_chord(const Motion& chord, const Number& radius,
                                              const Number& part) const {
-  return clearance_in({{item_.external, radius, slack() + terms_.chord}, {}}, chord, part);
+  return clearance_in({{item_.external, radius, slack() + tolerances_.chord}, {}}, chord, part);
 }
 
 Clearance ThreadGeometry::within(const Motion& motion, const Number& radius) const {
@@ -86,7 +86,7 @@ Clearance ThreadGeometry::within_chord(const Motion& motion, const PlaneVector& 
                                        const PlaneVector& b) const {
   const PlaneVector half{(b.p - a.p) / 2, (b.q - a.q) / 2};
   const Number radius = exact::sqrt(norm_squared(half));
-  return clearance_in({{false, radius, slack() + terms_.chord}, a + half}, motion, 0);
+  return clearance_in({{false, radius, slack() + tolerances_.chord}, a + half}, motion, 0);
 }
 
 Clearance ThreadGeometry::clearance_in(const Limit& limit, const Motion& motion,

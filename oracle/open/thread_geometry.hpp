@@ -14,10 +14,10 @@ namespace gonogo::oracle {
 class ThreadGeometry {
  public:
   // Both must outlive it.
-  ThreadGeometry(const reference::ThreadMilling& item, const Tolerances& terms);
+  ThreadGeometry(const reference::ThreadMilling& item, const Tolerances& tolerances);
 
   const reference::ThreadMilling& item() const { return item_; }
-  const Tolerances& terms() const { return terms_; }
+  const Tolerances& tolerances() const { return tolerances_; }
   // For what begins where the subject's helix ends, which may be off by the tolerance at either of
   // the points that fix it.
   const Tolerances& loose_terms() const { return loose_; }
@@ -26,8 +26,8 @@ class ThreadGeometry {
   // Over the R plane, positive away from the bottom.
   Number height(const Position& at) const { return (at[axes_.d] - item_.r_plane) * up_; }
   Number height_over_bottom(const Position& at) const { return (at[axes_.d] - item_.bottom) * up_; }
-  bool is_below(const Position& at) const { return height(at) < -terms_.tolerance; }
-  bool is_above(const Position& at) const { return height(at) > terms_.tolerance; }
+  bool is_below(const Position& at) const { return height(at) < -tolerances_.tolerance; }
+  bool is_above(const Position& at) const { return height(at) > tolerances_.tolerance; }
   PlaneVector from_axis(const Position& at) const;
   // Whether the point agrees with one of the circle about the axis.
   bool on_circle(const Position& at, const Number& radius) const;
@@ -64,10 +64,10 @@ class ThreadGeometry {
   };
   Clearance clearance_in(const Limit& limit, const Motion& motion, const Number& part) const;
   // A point that agrees on each axis lies up to sqrt(2) tau beyond a circle.
-  Number slack() const { return Number::millionths(kDiagonal) * terms_.tolerance; }
+  Number slack() const { return Number::millionths(kDiagonal) * tolerances_.tolerance; }
 
   const reference::ThreadMilling& item_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   Tolerances loose_;
   reference::PlaneAxes axes_;
   int up_;  // sign of d from the bottom to the R plane

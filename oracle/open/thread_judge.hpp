@@ -20,10 +20,10 @@ class ThreadJudge : public OpenStep {
   // The path of the reading gsk.thread.path = arc, the same on the other side along p, or any that
   // the steps leave open.
   enum class Path { named = 1, mirrored = -1, open = 0 };
-  // `item`, `terms` and `run_outs`, those that the program has left so far, must outlive the judge.
-  // `start`: where the tool stands, at the R plane.
+  // `item`, `tolerances` and `run_outs`, those that the program has left so far, must outlive the
+  // judge. `start`: where the tool stands, at the R plane.
   ThreadJudge(const reference::ThreadMilling& item, Path path, const Position& start,
-              const Tolerances& terms, RunOutSet& run_outs);
+              const Tolerances& tolerances, RunOutSet& run_outs);
 
   OpenStepAnswer take(const Motion& motion) override;
   // It may end when the passes are done and the tool is at the R plane, at a safe position.
@@ -93,13 +93,13 @@ class ThreadJudge : public OpenStep {
   bool is_safe(const Position& at) const { return geometry_.is_safe(at, side_); }
   // What the way back and the way to the safe position are free of.
   bool is_falling(const Motion& motion) const {
-    return height(motion.to()) < highest_ - terms_.tolerance;
+    return height(motion.to()) < highest_ - tolerances_.tolerance;
   }
   Number radius_kept() const { return promises_clearance() ? item_.start_radius : radius(); }
 
   const reference::ThreadMilling& item_;
   const int side_;  // along p, of a path that is named; 0: open
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   RunOutSet& run_outs_;
   ThreadGeometry geometry_;
   reference::PlaneAxes axes_;

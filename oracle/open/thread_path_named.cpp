@@ -20,7 +20,7 @@ bool ThreadJudge::prepare_named(const Position& from) {
   want.from[axes_.d] = item_.r_plane;
   Record& record = want.record;
   record.to = want.from;
-  record.block = terms_.compare_blocks ? item_.block : 0;
+  record.block = tolerances_.compare_blocks ? item_.block : 0;
   record.clause = "GSK-G114-06"_clause;
   record.feed = item_.feed;
   record.feed_mode = item_.feed_mode;
@@ -47,8 +47,8 @@ bool ThreadJudge::prepare_named(const Position& from) {
       p = item_.centre[0] + reference::gsk988ta::safe_radius(item_) * side_;
       break;
   }
-  if (agree(from, want.to(), terms_.tolerance)) return false;
-  line_.emplace(want, terms_);
+  if (agree(from, want.to(), tolerances_.tolerance)) return false;
+  line_.emplace(want, tolerances_);
   return true;
 }
 
@@ -83,8 +83,8 @@ OpenStepAnswer ThreadJudge::take_named(const Motion& motion) {
       next_named(motion.from);
       continue;
     }
-    const bool nothing = agree(motion.from, motion.to(), terms_.tolerance) &&
-                         agree(motion.from, line_want_.from, terms_.tolerance) &&
+    const bool nothing = agree(motion.from, motion.to(), tolerances_.tolerance) &&
+                         agree(motion.from, line_want_.from, tolerances_.tolerance) &&
                          !nearly_full_turn(motion);
     const MatchResult result = line_->match(motion);
     if (result.departure != Departure::none && nothing) return wait();
@@ -92,7 +92,7 @@ OpenStepAnswer ThreadJudge::take_named(const Motion& motion) {
       if (result.done) next_named(motion.to());
       return {};
     }
-    if (agree(motion.from, line_want_.to(), terms_.tolerance)) {
+    if (agree(motion.from, line_want_.to(), tolerances_.tolerance)) {
       next_named(motion.from);
       continue;
     }

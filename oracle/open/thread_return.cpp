@@ -27,8 +27,9 @@ OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
     phase_ = Phase::away;
     return take_away(motion);
   }
-  const bool same_place = agree(motion.to()[axes_.p], run_out_end_[axes_.p], terms_.tolerance) &&
-                          agree(motion.to()[axes_.q], run_out_end_[axes_.q], terms_.tolerance);
+  const bool same_place =
+      agree(motion.to()[axes_.p], run_out_end_[axes_.p], tolerances_.tolerance) &&
+      agree(motion.to()[axes_.q], run_out_end_[axes_.q], tolerances_.tolerance);
   const bool falls = is_falling(motion);
   if (!same_place || falls || motion.record.kind == RecordKind::arc) return wrong_way_back(motion);
   const Clearance clear = geometry_.clearance(motion, radius_kept());
@@ -55,8 +56,8 @@ OpenStepAnswer ThreadJudge::rise_beyond(const Motion& motion) {
   Position here = motion.from;
   here[axes_.d] = item_.r_plane;
   position_ = here;
-  const bool to_initial =
-      agree(motion.to()[axes_.d], item_.initial_plane, terms_.tolerance) || !terms_.compare_blocks;
+  const bool to_initial = agree(motion.to()[axes_.d], item_.initial_plane, tolerances_.tolerance) ||
+                          !tolerances_.compare_blocks;
   if (complete() && to_initial) return OpenStepAnswer::end(here);
   return not_away(motion);
 }
@@ -73,7 +74,7 @@ bool ThreadJudge::passes_safety(const Motion& motion, bool is_clear) const {
 // J-THR-06: along p alone, clear of the part, until the tool is at a safe position.
 OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
   if (is_named()) return take_named(motion);
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   const bool safe = is_safe(position_);  // infeed may follow that is too small to see
   const bool last = pass_ == passes_;
   const bool in_plane = !is_below(motion.to()) && !geometry_.is_above(motion.to());
@@ -105,18 +106,19 @@ OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
 
 // J-THR-09. Without block numbers, where the R plane is the initial one.
 bool ThreadJudge::is_end_untold() const {
-  return !terms_.compare_blocks && agree(item_.r_plane, item_.initial_plane, terms_.tolerance);
+  return !tolerances_.compare_blocks &&
+         agree(item_.r_plane, item_.initial_plane, tolerances_.tolerance);
 }
 
 // J-THR-09. After the last pass the tool returns along d to the initial plane.
 OpenStepAnswer ThreadJudge::take_after_last(const Motion& motion) {
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   const bool at_initial = agree(item_.r_plane, item_.initial_plane, tau);
   // GSK-G114-07. The initial plane may lie below the R plane (gsk.thread.direction = free).
   const bool rises = height(motion.to()) - height(motion.from) > tau;
   // Without block numbers the next block's traverse may be joined to the return.
-  const bool to_initial =
-      agree(motion.to()[axes_.d], item_.initial_plane, tau) || (!terms_.compare_blocks && rises);
+  const bool to_initial = agree(motion.to()[axes_.d], item_.initial_plane, tau) ||
+                          (!tolerances_.compare_blocks && rises);
   // In pieces, of which one was dropped, the last may be no motion that is seen.
   const bool is_small = agree(motion.from, motion.to(), tau);
   if ((geometry_.moves_depth_alone(motion) || is_small) && to_initial && !at_initial) {

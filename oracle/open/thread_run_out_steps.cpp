@@ -29,13 +29,13 @@ RunOutSet ThreadJudge::allowed_run_outs(const RunOutSet& left) const {
 // What is left of a helix that ended within the tolerance of its end.
 bool ThreadJudge::is_remainder(const Motion& motion) const {
   const Number rise = abs(geometry_.height_over_bottom(motion.to()));
-  return !run_out_->has_begun() && !nearly_full_turn(motion) && rise <= terms_.tolerance &&
+  return !run_out_->has_begun() && !nearly_full_turn(motion) && rise <= tolerances_.tolerance &&
          helix_.front().starts().admits(to_end_, geometry_.from_axis(motion.to()));
 }
 
 // J-THR-01: a chord cuts deeper than its arc, by no more than the certifier grants.
 bool ThreadJudge::is_chord_clear(const Motion& flat) const {
-  return flat.record.kind == RecordKind::feed && terms_.chord.sign() > 0 &&
+  return flat.record.kind == RecordKind::feed && tolerances_.chord.sign() > 0 &&
          geometry_.clearance_of_chord(flat, radius()).kind == Clearance::Kind::clear;
 }
 
@@ -45,12 +45,12 @@ bool ThreadJudge::is_chord_clear(const Motion& flat) const {
 Clearance ThreadJudge::clearance_where_risen(const Motion& motion, const Motion& flat) const {
   // The reading gsk.thread.k-range = table has K beyond a turn.
   const Number k = item_.runout_angle - (item_.runout_angle / 360).floor() * 360;
-  const Number allowed = item_.lead * min(k, Number(360) - k) / 360 + terms_.tolerance;
+  const Number allowed = item_.lead * min(k, Number(360) - k) / 360 + tolerances_.tolerance;
   const Number from = geometry_.height_over_bottom(motion.from);
   const Number to = geometry_.height_over_bottom(motion.to());
   if (to <= allowed) return {};
   const Number part = from < allowed ? (allowed - from) / (to - from) : Number(0);
-  const bool is_chord = flat.record.kind == RecordKind::feed && terms_.chord.sign() > 0;
+  const bool is_chord = flat.record.kind == RecordKind::feed && tolerances_.chord.sign() > 0;
   return is_chord ? geometry_.clearance_of_chord(flat, item_.start_radius, part)
                   : geometry_.clearance(flat, item_.start_radius, part);
 }
@@ -70,7 +70,7 @@ OpenStepAnswer ThreadJudge::take_run_out(const Motion& motion) {
 
 OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
   const Number rise = geometry_.height_over_bottom(motion.to());
-  if (rise < -terms_.tolerance) {
+  if (rise < -tolerances_.tolerance) {
     return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion,
                  "The tool cuts below the bottom of the thread.");
   }

@@ -21,10 +21,10 @@ OpenStepAnswer answer_of(ThreadJudge& judge, const Motion& motion) {
 }  // namespace
 
 ThreadStep::ThreadStep(const reference::ThreadMilling& item, const Position& start,
-                       const Tolerances& terms, RunOutSet& run_outs)
-    : ways_{Way{{item, Path::named, start, terms, run_outs}},
-            Way{{item, Path::mirrored, start, terms, run_outs}, !item.arc_path},
-            Way{{item, Path::open, start, terms, run_outs}, !item.arc_path}} {}
+                       const Tolerances& tolerances, RunOutSet& run_outs)
+    : ways_{Way{{item, Path::named, start, tolerances, run_outs}},
+            Way{{item, Path::mirrored, start, tolerances, run_outs}, !item.arc_path},
+            Way{{item, Path::open, start, tolerances, run_outs}, !item.arc_path}} {}
 
 OpenStepAnswer ThreadStep::take(const Motion& motion) {
   std::optional<OpenStepAnswer> taken;

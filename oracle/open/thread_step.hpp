@@ -14,8 +14,8 @@ namespace gonogo::oracle {
 class ThreadStep : public OpenStep {
  public:
   // As of ThreadJudge.
-  ThreadStep(const reference::ThreadMilling& item, const Position& start, const Tolerances& terms,
-             RunOutSet& run_outs);
+  ThreadStep(const reference::ThreadMilling& item, const Position& start,
+             const Tolerances& tolerances, RunOutSet& run_outs);
 
   OpenStepAnswer take(const Motion& motion) override;
   std::optional<Verdict> end(const Position& here) override;

@@ -104,7 +104,7 @@ Answer Correspondence::at_place(const Place& place, VerdictKind kind, Rule rule,
   if (want.item != nullptr) {
     if (const auto* record = std::get_if<Record>(&*want.item)) answer.clause = record->clause;
     if (const auto* report = std::get_if<AlarmReport>(&*want.item)) {
-      answer.clause = firmest(*report).clause;
+      answer.clause = best_supported(*report).clause;
     }
   }
   answer.message = std::move(message);
@@ -145,7 +145,7 @@ void Correspondence::close_at_end(const Place& place, const Record& end) {
     // Nothing comes behind the end (definition.cpp), and it names places that agree.
     for (const reference::Axis axis : reference::kAllAxes) {
       if (!closed.axes.has(axis)) continue;
-      if (abs(rational_near(closed.to[axis] - end.to[axis])) > terms_.tolerance) return;
+      if (abs(rational_near(closed.to[axis] - end.to[axis])) > tolerances_.tolerance) return;
     }
   }
   Answer answer = at_place(place, VerdictKind::pass_tolerance, Rule::none, "");
@@ -172,7 +172,7 @@ bool Correspondence::is_of_alarm(const Place& place, const AlarmReport& report) 
   const Record& got = subject(place).at(place.j).source();
   const auto is_same = [&](const Record& one) {
     return one.kind == RecordKind::m && one.m == got.m &&
-           (!terms_.compare_blocks || one.block == report.block);
+           (!tolerances_.compare_blocks || one.block == report.block);
   };
   std::size_t due = 0;
   for (std::size_t m = 0; m < sides.m_functions(place.i); ++m) {
@@ -193,18 +193,18 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
     return reach_corner(next);
   }
   const bool is_block = outcome_.alarm != nullptr &&
-                        (!terms_.compare_blocks || outcome_.alarm->block == report.block);
+                        (!tolerances_.compare_blocks || outcome_.alarm->block == report.block);
   const bool is_class = outcome_.alarm != nullptr && admits(report, outcome_.alarm->alarm_class);
   const bool alarms = got.part == Part::close && got.item == nullptr && outcome_.alarm != nullptr;
   // R7: the other answer to an alarm that no text states is to run on from its block, without it.
   const bool is_before =
-      terms_.compare_blocks && got.part != Part::close && got.block < report.block;
+      tolerances_.compare_blocks && got.part != Part::close && got.block < report.block;
   // An alarm behind it is another one, which the program has without the block.
   const auto runs_on = [&] {
     if (is_before || (alarms && is_block)) return false;
     return outcome_.alarm == nullptr || alarms_without(profile_, program_, report, *outcome_.alarm);
   };
-  if (reference::is_silent(firmest(report).clause) && !terms_.strict && runs_on()) {
+  if (reference::is_silent(best_supported(report).clause) && !tolerances_.strict && runs_on()) {
     Answer advice = at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm.");
     advice.block = report.block;
     advice.runs_on = true;
@@ -215,7 +215,7 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
     return alarms_before_fault(profile_, program_, report, outcome_.alarm->alarm_class);
   };
   if (!is_block) return;
-  if (!is_class && is_other_name(report, outcome_.alarm->alarm_class) && !terms_.strict) {
+  if (!is_class && is_other_name(report, outcome_.alarm->alarm_class) && !tolerances_.strict) {
     offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text says which alarm it is."));
   }
   if (!is_class && !alarms_before()) return;
@@ -227,7 +227,7 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
 // R7: a block runs on by a rule that no text states, and the alarm is what the other answer would
 // be; all that is due before the block has come, and nothing of it.
 void Correspondence::close_by_alarm(const Place& place) {
-  if (terms_.strict) return;
+  if (tolerances_.strict) return;
   ReferenceSide& sides = reference(place);
   const oracle::SubjectAlarm& alarm = *outcome_.alarm;
   const std::size_t known = sides.m_functions(place.i);
@@ -235,7 +235,7 @@ void Correspondence::close_by_alarm(const Place& place) {
     const bool is_other_answer =
         reference::share_a_name(reference::clause(accepted.clause).refusals, alarm.alarm_class);
     if (accepted.event != place.i || !is_other_answer) continue;
-    if (terms_.compare_blocks && alarm.block != accepted.block) continue;
+    if (tolerances_.compare_blocks && alarm.block != accepted.block) continue;
     const bool is_due = place.m < known && sides.m_block(place.m) != accepted.block &&
                         sides.is_overdue(place.m, place.i + 1);
     if (is_due) continue;
@@ -249,7 +249,7 @@ void Correspondence::close_by_alarm(const Place& place) {
 // R6: a control that checks at load alarms with no event before.
 bool Correspondence::is_alarm_at_load() {
   const bool has_acted = std::ranges::any_of(outcome_.records, [&](const Record& record) {
-    return terms_.compare_m || record.kind != RecordKind::m;
+    return tolerances_.compare_m || record.kind != RecordKind::m;
   });
   if (profile_.alarm_timing != reference::AlarmTiming::program || outcome_.alarm == nullptr ||
       has_acted) {
@@ -300,7 +300,7 @@ Answer Correspondence::departure() {
                    "The step is not what its clause describes.");
   }
   const Likeness likeness = want.is_motion() && got.is_motion()
-                                ? compare(*want.label, *got.label, terms_)
+                                ? compare(*want.label, *got.label, tolerances_)
                                 : Likeness::other;
   if (!is_farthest_corner_ && likeness != Likeness::number &&
       (want.is_motion() || got.is_motion())) {

@@ -54,13 +54,18 @@ Intervals common(const Intervals& parts, const std::optional<Part01>& near) {
 }  // namespace
 
 Correspondence::Correspondence(const reference::Profile& profile, std::string_view program,
-                               const Tolerances& terms, const Outcome& outcome,
+                               const Tolerances& tolerances, const Outcome& outcome,
                                const Manner& manner)
-    : profile_(profile), program_(program), terms_(terms), outcome_(outcome), manner_(manner) {
+    : profile_(profile),
+      program_(program),
+      tolerances_(tolerances),
+      outcome_(outcome),
+      manner_(manner) {
   pairs_.push_back(
-      {std::make_shared<ReferenceSide>(profile, program, terms, Settled(), manner.passes_end),
-       std::make_shared<SubjectSide>(outcome.records, 0, profile.initial.at, terms, manner.turn), 0,
-       profile.initial.at});
+      {std::make_shared<ReferenceSide>(profile, program, tolerances, Settled(), manner.passes_end),
+       std::make_shared<SubjectSide>(outcome.records, 0, profile.initial.at, tolerances,
+                                     manner.turn),
+       0, profile.initial.at});
 }
 
 std::vector<reference::ReadingKey> Correspondence::touched() const {
@@ -89,14 +94,14 @@ Number Correspondence::cell_tolerance(const Place& place) {
   const Event& got = subject(place).at(place.j);
   const Number width = want.width + got.width;
   const Label& arc = *want.label;
-  if (is_granted_chord(arc, *got.label, terms_) && !arc.is_flat) {
-    return tolerance(terms_.tolerance + terms_.chord, width);
+  if (is_granted_chord(arc, *got.label, tolerances_) && !arc.is_flat) {
+    return tolerance(tolerances_.tolerance + tolerances_.chord, width);
   }
   if (arc.kind != RecordKind::arc || got.label->kind != RecordKind::arc) {
-    return tolerance(terms_.tolerance, width);
+    return tolerance(tolerances_.tolerance, width);
   }
   if (arc.finds_centre) finds_centres_ = true;
-  const Number rounded = terms_.tolerance * 17 / 8;
+  const Number rounded = tolerances_.tolerance * 17 / 8;
   if (!arc.finds_centre || !manner_.excuses_centres) return tolerance(rounded, width);
   // R7: a centre of the control's own excuses no turn too many, and no other end.
   if (std::abs(got.source().rot) > std::abs(want.source().rot)) return tolerance(rounded, width);
@@ -171,7 +176,7 @@ void Correspondence::expand(const Place& place, const Reached& reached) {
 void Correspondence::match_cuts(const Place& place, const Reached& reached) {
   const Event& want = reference(place).at(place.i);
   const Event& got = subject(place).at(place.j);
-  if (compare(*want.label, *got.label, terms_) != Likeness::same) return;
+  if (compare(*want.label, *got.label, tolerances_) != Likeness::same) return;
   const Number tau = cell_tolerance(place);
   const auto left = lowest(reached.at_start_of_want, near_part(got, want.from, tau));
   auto below = lowest(reached.at_start_of_got, near_part(want, got.from, tau));
@@ -201,7 +206,7 @@ void Correspondence::pass_over_subject(const Place& place, Intervals of_want) {
   Place next = place;
   for (std::size_t j = place.j;; ++j) {
     const Event& got = side.at(j);
-    const Number tau = tolerance(terms_.tolerance, want.width + got.width);
+    const Number tau = tolerance(tolerances_.tolerance, want.width + got.width);
     for (const Position* point : {&got.from, &got.to}) {
       if (want.part == Part::cut) {
         of_want = common(of_want, near_part(want, *point, tau));
@@ -225,7 +230,7 @@ void Correspondence::pass_over_reference(const Place& place, Intervals of_got) {
   Place next = place;
   for (std::size_t i = place.i;; ++i) {
     const Event& want = side.at(i);
-    const Number tau = tolerance(terms_.tolerance, want.width + got.width);
+    const Number tau = tolerance(tolerances_.tolerance, want.width + got.width);
     for (const Position* point : {&want.from, &want.to}) {
       if (got.is_motion()) {
         of_got = common(of_got, near_part(got, *point, tau));
@@ -251,7 +256,7 @@ std::size_t Correspondence::pair_for(const Pair& pair) {
   }
   pairs_.push_back(pair);
   pairs_.back().subject = std::make_shared<SubjectSide>(outcome_.records, pair.first_record,
-                                                        pair.start, terms_, manner_.turn);
+                                                        pair.start, tolerances_, manner_.turn);
   return pairs_.size() - 1;
 }
 

@@ -30,7 +30,7 @@ class Correspondence {
  public:
   // What it is given must outlive it.
   Correspondence(const reference::Profile& profile, std::string_view program,
-                 const Tolerances& terms, const Outcome& outcome, const Manner& manner);
+                 const Tolerances& tolerances, const Outcome& outcome, const Manner& manner);
   // The best that any correspondence comes to; where all depart, the departure of the one that
   // comes farthest.
   Answer best();
@@ -104,7 +104,7 @@ class Correspondence {
 
   const reference::Profile& profile_;
   std::string_view program_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   const Outcome& outcome_;
   Manner manner_;
   std::vector<Pair> pairs_;

@@ -42,13 +42,13 @@ Answer undecided(GapReason reason, std::string message) {
 
 // What the curves themselves do lies between what inner and outer reach.
 Judgement judge(const reference::Profile& profile, std::string_view program,
-                const Tolerances& terms, const Outcome& outcome, Manner manner) {
+                const Tolerances& tolerances, const Outcome& outcome, Manner manner) {
   manner.bias = Bias::inner;
-  Correspondence inner(profile, program, terms, outcome, manner);
+  Correspondence inner(profile, program, tolerances, outcome, manner);
   Judgement judgement{inner.best(), inner.finds_centres(), inner.is_beyond_end(), inner.touched()};
   if (is_go(judgement.answer) || !inner.has_width()) return judgement;
   manner.bias = Bias::outer;
-  Correspondence outer(profile, program, terms, outcome, manner);
+  Correspondence outer(profile, program, tolerances, outcome, manner);
   const Answer answer = outer.best();
   judgement.finds_centres = outer.finds_centres();
   judgement.is_beyond_end = outer.is_beyond_end();
@@ -71,31 +71,32 @@ bool is_departure(const Answer& answer) {
 
 // Under one assignment: R7 of centres and of ends, and R9 of arcs whose ends agree.
 Judgement judge_readings_of_trace(const reference::Profile& profile, std::string_view program,
-                                  const Tolerances& terms, const Outcome& outcome) {
-  Judgement judgement = judge(profile, program, terms, outcome, {});
-  if (is_departure(judgement.answer) && judgement.finds_centres && !terms.strict) {
-    const Judgement excused = judge(profile, program, terms, outcome, {.excuses_centres = true});
+                                  const Tolerances& tolerances, const Outcome& outcome) {
+  Judgement judgement = judge(profile, program, tolerances, outcome, {});
+  if (is_departure(judgement.answer) && judgement.finds_centres && !tolerances.strict) {
+    const Judgement excused =
+        judge(profile, program, tolerances, outcome, {.excuses_centres = true});
     if (is_go(excused.answer)) {
       judgement.answer.kind = VerdictKind::advice;
       judgement.answer.message = "No text says how finely the centre is computed.";
     }
   }
-  if (is_departure(judgement.answer) && judgement.is_beyond_end && !terms.strict) {
-    const Judgement excused = judge(profile, program, terms, outcome, {.passes_end = true});
+  if (is_departure(judgement.answer) && judgement.is_beyond_end && !tolerances.strict) {
+    const Judgement excused = judge(profile, program, tolerances, outcome, {.passes_end = true});
     if (!is_departure(excused.answer)) {
       judgement.answer.kind = VerdictKind::advice;
       judgement.answer.message = "No text says that the program ends.";
     }
   }
-  if (!is_departure(judgement.answer) || terms.exact) return judgement;
+  if (!is_departure(judgement.answer) || tolerances.exact) return judgement;
   reference::Position here = profile.initial.at;
   bool has_two = false;
   for (const reference::Record& record : outcome.records) {
-    has_two = has_two || has_two_readings(record, here, terms.tolerance);
+    has_two = has_two || has_two_readings(record, here, tolerances.tolerance);
     if (is_motion(record.kind)) here = end_of(record, here);
   }
   if (!has_two) return judgement;
-  const Judgement other = judge(profile, program, terms, outcome, {.turn = Turn::the_other});
+  const Judgement other = judge(profile, program, tolerances, outcome, {.turn = Turn::the_other});
   if (is_go(other.answer)) {
     judgement.answer =
         undecided(GapReason::two_readings, "An arc whose ends agree may be a nil or a full turn.");
@@ -183,8 +184,8 @@ std::string_view name(GapReason reason) {
 
 // The best of all combinations of the open readings that the program asks for; of departures the
 // one that comes last.
-Answer decide(const reference::Profile& profile, std::string_view program, const Tolerances& terms,
-              const Outcome& outcome) {
+Answer decide(const reference::Profile& profile, std::string_view program,
+              const Tolerances& tolerances, const Outcome& outcome) {
   if (std::optional<Answer> answer = overrun(outcome)) return *std::move(answer);
   constexpr std::size_t kMostAssignments = 64;
   std::vector<reference::ReadingChoice> choices = {profile.readings};
@@ -198,7 +199,7 @@ Answer decide(const reference::Profile& profile, std::string_view program, const
     choices.pop_back();
     Judgement judgement;
     try {
-      judgement = judge_readings_of_trace(assigned, program, terms, outcome);
+      judgement = judge_readings_of_trace(assigned, program, tolerances, outcome);
     } catch (const exact::Undecided& comparison) {
       judgement.answer = undecided(GapReason::comparison, comparison.what());
     }

@@ -69,7 +69,7 @@ struct Outcome {
 };
 
 // `program` and `outcome` are as the judge gets them.
-Answer decide(const reference::Profile& profile, std::string_view program, const Tolerances& terms,
-              const Outcome& outcome);
+Answer decide(const reference::Profile& profile, std::string_view program,
+              const Tolerances& tolerances, const Outcome& outcome);
 
 }  // namespace gonogo::relation

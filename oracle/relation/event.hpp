@@ -46,7 +46,7 @@ inline bool goes_on(const Event& event, const Event& next) {
 class MotionEvents {
  public:
   MotionEvents(Event first, const reference::Record& motion, const Position& from,
-               const Tolerances& terms, Turn turn);
+               const Tolerances& tolerances, Turn turn);
   std::optional<Event> next();
 
  private:

@@ -27,8 +27,8 @@ std::vector<std::vector<reference::Record>> paths_of(const reference::ThreadMill
 // What a place may be off by; the width of a piece is taken off it or added (Bias).
 class Slack {
  public:
-  Slack(const Tolerances& terms, bool is_generous)
-      : tau_(terms.tolerance), is_generous_(is_generous) {}
+  Slack(const Tolerances& tolerances, bool is_generous)
+      : tau_(tolerances.tolerance), is_generous_(is_generous) {}
   bool is_generous() const { return is_generous_; }
   bool allows(Said said) const { return said == Said::yes || (is_generous_ && said == Said::near); }
   // On an axis; on curves (R2).
@@ -50,7 +50,7 @@ struct StepAnswer {
 struct Followed {
   SubjectSide& subject;
   std::size_t begin;
-  const Tolerances& terms;
+  const Tolerances& tolerances;
   Slack slack;
 };
 StepAnswer follow(const reference::PocketLevel& level, const Followed& way);

@@ -6,11 +6,11 @@ namespace gonogo::relation {
 using reference::Record;
 using reference::RecordKind;
 
-Label label_of(const Record& motion, bool is_flat, const Tolerances& terms) {
+Label label_of(const Record& motion, bool is_flat, const Tolerances& tolerances) {
   Label label;
   label.kind = motion.kind == RecordKind::arc3 ? RecordKind::arc : motion.kind;
   label.is_flat = is_flat;
-  if (terms.compare_blocks) label.block = motion.block;
+  if (tolerances.compare_blocks) label.block = motion.block;
   if (motion.kind == RecordKind::thread) {
     label.lead = motion.lead;
     label.start = motion.start;
@@ -58,46 +58,47 @@ bool is_same(const Label& a, const Label& b) {
 }
 
 bool agree(const Number& want, const Number& got, const std::optional<Number>& resolution,
-           const Tolerances& terms) {
+           const Tolerances& tolerances) {
   // Two units in the last place of a double lie below 2^-51 of its value. Who declares nothing of
   // its numbers may have doubles.
-  const bool may_be_double = terms.binary64 || (!terms.exact && !resolution);
+  const bool may_be_double = tolerances.binary64 || (!tolerances.exact && !resolution);
   const Number last_places =
       may_be_double ? abs(want.bounds(kBitsOfLabel)[0]) * Number::binary(1, -51) : Number(0);
-  const Number half = resolution ? *resolution / 2 : half_of_last_place(got, terms.increment);
+  const Number half = resolution ? *resolution / 2 : half_of_last_place(got, tolerances.increment);
   return !are_apart(want, got, max(half, last_places));
 }
 
-bool is_granted_chord(const Label& want, const Label& got, const Tolerances& terms) {
-  return terms.chord.sign() > 0 && want.kind == RecordKind::arc && got.kind == RecordKind::feed;
+bool is_granted_chord(const Label& want, const Label& got, const Tolerances& tolerances) {
+  return tolerances.chord.sign() > 0 && want.kind == RecordKind::arc &&
+         got.kind == RecordKind::feed;
 }
 
 namespace {
 
-bool is_same_kind(const Label& want, const Label& got, const Tolerances& terms) {
+bool is_same_kind(const Label& want, const Label& got, const Tolerances& tolerances) {
   if (want.kind == got.kind) return true;
   const bool line_for_arc = want.kind == RecordKind::arc && got.kind == RecordKind::feed;
   const bool arc_for_line = want.kind == RecordKind::feed && got.kind == RecordKind::arc;
   return (line_for_arc && want.is_flat) || (arc_for_line && got.is_flat) ||
-         is_granted_chord(want, got, terms);
+         is_granted_chord(want, got, tolerances);
 }
 
 // A lead is a length and agrees as lengths do; so does the angle of a start, within a turn.
-bool is_same_thread(const Label& want, const Label& got, const Tolerances& terms) {
+bool is_same_thread(const Label& want, const Label& got, const Tolerances& tolerances) {
   for (const int turn : {-360, 0, 360}) {
-    if (!agree(want.start + turn, got.start, terms.resolution, terms)) continue;
-    return agree(want.lead, got.lead, terms.resolution, terms);
+    if (!agree(want.start + turn, got.start, tolerances.resolution, tolerances)) continue;
+    return agree(want.lead, got.lead, tolerances.resolution, tolerances);
   }
   return false;
 }
 
 }  // namespace
 
-Likeness compare(const Label& want, const Label& got, const Tolerances& terms) {
-  if (!is_same_kind(want, got, terms) || want.block != got.block) return Likeness::other;
-  const bool is_same_feed =
-      want.feed_mode == got.feed_mode && agree(want.feed, got.feed, terms.feed_resolution, terms);
-  return is_same_feed && is_same_thread(want, got, terms) ? Likeness::same : Likeness::number;
+Likeness compare(const Label& want, const Label& got, const Tolerances& tolerances) {
+  if (!is_same_kind(want, got, tolerances) || want.block != got.block) return Likeness::other;
+  const bool is_same_feed = want.feed_mode == got.feed_mode &&
+                            agree(want.feed, got.feed, tolerances.feed_resolution, tolerances);
+  return is_same_feed && is_same_thread(want, got, tolerances) ? Likeness::same : Likeness::number;
 }
 
 }  // namespace gonogo::relation

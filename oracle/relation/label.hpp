@@ -19,7 +19,7 @@ struct Label {
   bool finds_centre = false;  // an arc whose centre the control computes
 };
 
-Label label_of(const reference::Record& motion, bool is_flat, const Tolerances& terms);
+Label label_of(const reference::Record& motion, bool is_flat, const Tolerances& tolerances);
 
 // Whether they are one label, to the last digit: of motions of one side.
 bool is_same(const Label& a, const Label& b);
@@ -27,16 +27,16 @@ bool is_same(const Label& a, const Label& b);
 // Whether `got` is `want`, or as far off as rounding to the resolution makes it. Two enclosures
 // that overlap agree: nothing says that they differ.
 bool agree(const Number& want, const Number& got, const std::optional<Number>& resolution,
-           const Tolerances& terms);
+           const Tolerances& tolerances);
 
 enum class Likeness : std::uint8_t {
   same,    // partners may have them
   number,  // a number alone differs
   other,
 };
-Likeness compare(const Label& want, const Label& got, const Tolerances& terms);
+Likeness compare(const Label& want, const Label& got, const Tolerances& tolerances);
 
 // Whether a straight cut stands for an arc because the certifier grants chords.
-bool is_granted_chord(const Label& want, const Label& got, const Tolerances& terms);
+bool is_granted_chord(const Label& want, const Label& got, const Tolerances& tolerances);
 
 }  // namespace gonogo::relation

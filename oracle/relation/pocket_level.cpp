@@ -15,7 +15,7 @@ class LevelConditions {
  public:
   LevelConditions(const PocketLevel& level, const Followed& way)
       : level_(level),
-        terms_(way.terms),
+        tolerances_(way.tolerances),
         slack_(way.slack),
         axes_(reference::axes_of(level.plane)),
         middle_{rational_near(level.centre[0]), rational_near(level.centre[1])},
@@ -24,7 +24,7 @@ class LevelConditions {
         step_(rational_near(level.step)),
         reach_(radius_ - tool_),
         raster_(radius_ * 4 + step_ * 4 + Number(1)),
-        winding_(level.sense, terms_.tolerance * 4) {
+        winding_(level.sense, tolerances_.tolerance * 4) {
     const Number circles = (reach_ / step_).ceil() + 1;
     // Along both axes a circle goes eight times its radius.
     most_way_ = circles * reach_ * 8 * kMostTimes;
@@ -75,13 +75,13 @@ class LevelConditions {
   // Cover, step and order; each with the tolerance of arcs and the chord that is granted.
   std::string_view broken_at_end() const {
     // A chord that is granted counts as an arc; where it does not have to, it need not.
-    const bool counts_lines = terms_.chord.sign() > 0 && slack_.is_generous();
+    const bool counts_lines = tolerances_.chord.sign() > 0 && slack_.is_generous();
     const std::vector<Stroke> arcs = arcs_of(counts_lines);
-    const Number off = terms_.tolerance * 17 / 8 + terms_.chord;
+    const Number off = tolerances_.tolerance * 17 / 8 + tolerances_.chord;
     const auto covers = [&](const Number& reach, const Number& of) {
       const std::int64_t radius = raster_.length(of);
       return slack_.allows(Cover{arcs, raster_.length(reach + off), raster_.length(width_) + 2,
-                                 raster_.length(terms_.tolerance / 8) + 1}
+                                 raster_.length(tolerances_.tolerance / 8) + 1}
                                .of(Region{{radius, radius, radius}, {}}));
     };
     if (!covers(tool_, radius_)) return "The level is not clean.";
@@ -101,9 +101,9 @@ class LevelConditions {
   }
   bool has_its_label(const Label& label) const {
     return (label.kind == RecordKind::feed || label.kind == RecordKind::arc) &&
-           (!terms_.compare_blocks || label.block == level_.block) &&
+           (!tolerances_.compare_blocks || label.block == level_.block) &&
            label.feed_mode == level_.feed_mode &&
-           agree(level_.feed, label.feed, terms_.feed_resolution, terms_);
+           agree(level_.feed, label.feed, tolerances_.feed_resolution, tolerances_);
   }
 
   // A turn is done at a place: whether as many as allowed have been, no farther from the middle
@@ -111,7 +111,7 @@ class LevelConditions {
   bool turns_on_ring(const Offset& at) {
     const Number radius = rational_near(sqrt(at.square()));
     turns_.push_back(radius);
-    const Number wide = step_ / 100 + terms_.tolerance;
+    const Number wide = step_ / 100 + tolerances_.tolerance;
     int times = 0;
     for (const Number& other : turns_) times += abs(other - radius) <= wide ? 1 : 0;
     return times > kMostTimes;
@@ -129,7 +129,7 @@ class LevelConditions {
   // GSK-CYC-02: every place is within R of the plunge, or of an arc from which the path has been
   // away, so that the groove behind the tool supports nothing. On a link the arc is one before it.
   bool is_in_order(bool counts_lines) const {
-    const Number most = step_ + terms_.tolerance * 3 + terms_.chord * 2;
+    const Number most = step_ + tolerances_.tolerance * 3 + tolerances_.chord * 2;
     const std::int64_t width = raster_.length(width_ * 2) + 2;
     const std::int64_t reach = raster_.length(most) + (slack_.is_generous() ? width : -width);
     const std::int64_t away = raster_.length(step_) + (slack_.is_generous() ? -width : width);
@@ -153,7 +153,7 @@ class LevelConditions {
       if (has_been_away && (before.is_arc || counts_lines) && supports(before.stroke)) return true;
     }
     const Point middle = {(stroke.from.p + stroke.to.p) / 2, (stroke.from.q + stroke.to.q) / 2};
-    const std::int64_t small = raster_.length(terms_.tolerance);
+    const std::int64_t small = raster_.length(tolerances_.tolerance);
     const auto is_small = [&](std::int64_t way) { return std::abs(way) <= small; };
     if (is_small(stroke.to.p - stroke.from.p) && is_small(stroke.to.q - stroke.from.q)) {
       return false;
@@ -163,7 +163,7 @@ class LevelConditions {
   }
 
   const PocketLevel& level_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   Slack slack_;
   reference::PlaneAxes axes_;
   Offset middle_;
@@ -192,7 +192,7 @@ StepAnswer follow(const PocketLevel& level, const Followed& way) {
   std::size_t i = way.begin;
   for (; subject.at(i).is_motion(); ++i) {
     const Event& piece = subject.at(i);
-    if (const auto end = end_of_small_stretch(subject, i, way.terms.tolerance)) {
+    if (const auto end = end_of_small_stretch(subject, i, way.tolerances.tolerance)) {
       i = *end - 1;
       continue;
     }

@@ -19,7 +19,7 @@ class MillingConditions {
  public:
   MillingConditions(const PocketMilling& pocket, const Followed& way)
       : pocket_(pocket),
-        terms_(way.terms),
+        tolerances_(way.tolerances),
         slack_(way.slack),
         axes_(reference::axes_of(pocket.plane)),
         tool_(rational_near(pocket.tool_radius)),
@@ -27,7 +27,7 @@ class MillingConditions {
         half_width_(rational_near(pocket.width) / 2),
         corner_(rational_near(pocket.corner_radius)),
         allowance_(rational_near(pocket.allowance)),
-        limit_(terms_.tolerance * 17 / 8),
+        limit_(tolerances_.tolerance * 17 / 8),
         start_(way.subject.at(way.begin).from),
         raster_((half_length_ + half_width_) * 4 + Number(1)),
         above_(rational_near(pocket.clearance)) {
@@ -36,7 +36,7 @@ class MillingConditions {
     const Number lines = ((max(half_length_, half_width_) - tool_) / tool_).ceil() * 2 + 4;
     most_way_ = lines * (sides + tool_) * 4 * (pocket.level_count() + 2) * kAsMuch;
     // The tool is on a floor as near as tau without an infeed.
-    if (above_ - rational_near(pocket.floor) <= terms_.tolerance) levels_ = {{above_, {{}}}};
+    if (above_ - rational_near(pocket.floor) <= tolerances_.tolerance) levels_ = {{above_, {{}}}};
   }
 
   std::string_view take(const Event& piece) {
@@ -48,7 +48,7 @@ class MillingConditions {
     if (moves_another_axis(piece, start_, axes_, off)) return "Another axis moves.";
     if (height < rational_near(pocket_.floor) - off) return "The tool goes below the floor.";
     if (height > rational_near(pocket_.retract) + off) return "The tool goes above R101.";
-    if (terms_.compare_blocks && piece.block != pocket_.block) {
+    if (tolerances_.compare_blocks && piece.block != pocket_.block) {
       return "The motion is of another line.";
     }
     way_ += way_of(piece, axes_.p) + way_of(piece, axes_.q);
@@ -64,12 +64,12 @@ class MillingConditions {
   }
 
   bool may_be_over(const Position& place) const {
-    return abs(place[axes_.d] - rational_near(pocket_.retract)) <= terms_.tolerance &&
+    return abs(place[axes_.d] - rational_near(pocket_.retract)) <= tolerances_.tolerance &&
            is_at_middle(place, 0);
   }
   // The last lift is too small to be seen.
   bool is_shallow() const {
-    return rational_near(pocket_.retract) - rational_near(pocket_.floor) <= terms_.tolerance;
+    return rational_near(pocket_.retract) - rational_near(pocket_.floor) <= tolerances_.tolerance;
   }
 
   // What the levels lack, so far; empty: nothing.
@@ -107,7 +107,7 @@ class MillingConditions {
   bool may_be_none() const {
     return slack_.is_generous() &&
            rational_near(pocket_.reference_plane) - rational_near(pocket_.floor) <=
-               terms_.tolerance;
+               tolerances_.tolerance;
   }
   Stroke stroke_of(const Event& piece) const {
     return {raster_.point(offset_of(piece.from)), raster_.point(offset_of(piece.to))};
@@ -131,7 +131,7 @@ class MillingConditions {
   }
   // Where roughing has left nothing but the allowance.
   bool is_roughed(const Offset& offset) const {
-    return pocket_.finishing && is_inside(offset, terms_.tolerance - allowance_);
+    return pocket_.finishing && is_inside(offset, tolerances_.tolerance - allowance_);
   }
   bool is_along_border(const Position& place) const {
     return !is_inside(offset_of(place), -limit_ * 2);
@@ -185,7 +185,7 @@ class MillingConditions {
 
   bool has_feed(const Event& piece, const Number& feed) const {
     return piece.label->feed_mode == pocket_.feed_mode &&
-           agree(feed, piece.label->feed, terms_.feed_resolution, terms_);
+           agree(feed, piece.label->feed, tolerances_.feed_resolution, tolerances_);
   }
 
   std::string_view take_cut(const Event& piece, const Number& off) {
@@ -218,7 +218,7 @@ class MillingConditions {
   // the tool may go. A line has no way round it.
   bool runs_back(const Event& piece) {
     const Number half = min(half_length_, half_width_) - tool_;
-    if (half <= terms_.tolerance * 4) return false;
+    if (half <= tolerances_.tolerance * 4) return false;
     if (!is_along_border(piece.from) || !is_along_border(piece.to)) return false;
     const Offset from = offset_of(piece.from);
     const Offset to = offset_of(piece.to);
@@ -257,7 +257,7 @@ class MillingConditions {
   bool has_its_depths() const {
     const Number off = slack_.axis(0);
     // Where the tool's centre has nowhere to go, nothing shows where a level is.
-    const bool is_point = max(half_length_, half_width_) - tool_ <= terms_.tolerance;
+    const bool is_point = max(half_length_, half_width_) - tool_ <= tolerances_.tolerance;
     if (is_point) return true;
     // SIE-LC75-10: nor where roughing left no strip, which each level but the last would clear.
     if (pocket_.finishing && allowance_.sign() == 0) return true;
@@ -287,7 +287,7 @@ class MillingConditions {
 
   Cover cover_of(const Level& level) const {
     return {level.cuts, raster_.length(tool_ + limit_), raster_.length(width_) + 3,
-            raster_.length(terms_.tolerance / 8) + 1};
+            raster_.length(tolerances_.tolerance / 8) + 1};
   }
   Box box_within(const Number& inset, const Number& corner) const {
     return {raster_.length(half_length_ - inset), raster_.length(half_width_ - inset),
@@ -333,7 +333,7 @@ class MillingConditions {
   }
 
   const PocketMilling& pocket_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   Slack slack_;
   reference::PlaneAxes axes_;
   Number tool_;
@@ -377,8 +377,8 @@ StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
       answer.broken = lacks;
     }
     if (!piece.is_motion()) return answer;
-    auto end = end_of_small_stretch(way.subject, i, way.terms.tolerance);
-    if (!end) end = end_of_small_traverse(way.subject, i, way.terms.tolerance);
+    auto end = end_of_small_stretch(way.subject, i, way.tolerances.tolerance);
+    if (!end) end = end_of_small_traverse(way.subject, i, way.tolerances.tolerance);
     if (end) {
       i = *end - 1;
       continue;

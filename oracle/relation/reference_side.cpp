@@ -12,8 +12,8 @@ using reference::Record;
 using reference::RecordKind;
 
 ReferenceSide::ReferenceSide(const reference::Profile& profile, std::string_view program,
-                             const Tolerances& terms, Settled settled, bool passes_end)
-    : terms_(terms),
+                             const Tolerances& tolerances, Settled settled, bool passes_end)
+    : tolerances_(tolerances),
       bytes_(program),
       lines_(bytes_),
       expander_(profile, lines_, reference::OpenPaths::judged),
@@ -48,7 +48,7 @@ void ReferenceSide::extend() {
   ++item_;
   const Item* item = expander_.next();
   while (passes_end_ && is_silent_end(*item)) {
-    expander_.pass_over_end();
+    expander_.go_past_end();
     item = expander_.next();
   }
   take(*item);
@@ -57,16 +57,16 @@ void ReferenceSide::extend() {
 void ReferenceSide::take(const Record& record) {
   Event event;
   event.item = std::make_shared<Item>(record);
-  event.from = event.to = rastered(here_, terms_.tolerance).at;
+  event.from = event.to = rastered(here_, tolerances_.tolerance).at;
   event.block = record.block;
   if (is_motion(record.kind)) {
-    motion_.emplace(std::move(event), record, here_, terms_, Turn::as_written);
+    motion_.emplace(std::move(event), record, here_, tolerances_, Turn::as_written);
     here_ = end_of(record, here_);
     return;
   }
   if (record.kind == RecordKind::dwell && record.seconds.sign() == 0) return;
   if (record.kind == RecordKind::m) {
-    if (!terms_.compare_m) return;
+    if (!tolerances_.compare_m) return;
     if (!record.among_motions) return m_.push_back({record, events_.size(), {}});
   }
   event.part = record.kind == RecordKind::end ? Part::close : Part::stop;
@@ -77,7 +77,7 @@ void ReferenceSide::take(const Item& item) {
   if (const auto* record = std::get_if<Record>(&item)) return take(*record);
   Event event;
   event.item = std::make_shared<Item>(item);
-  event.from = event.to = rastered(here_, terms_.tolerance).at;
+  event.from = event.to = rastered(here_, tolerances_.tolerance).at;
   if (const auto* renaming = std::get_if<reference::Renaming>(&item)) {
     for (const reference::Axis axis : reference::kAllAxes) here_[axis] += renaming->shift[axis];
     event.part = Part::renaming;

@@ -27,7 +27,7 @@ class ReferenceSide {
   // What it is given must outlive it. `passes_end`: what stands behind an end that no text states
   // follows what stands before it (R7).
   ReferenceSide(const reference::Profile& profile, std::string_view program,
-                const Tolerances& terms, Settled settled, bool passes_end);
+                const Tolerances& tolerances, Settled settled, bool passes_end);
   // The last one is the close; REQUIRES: none before it is.
   const Event& at(std::size_t index);
 
@@ -72,7 +72,7 @@ class ReferenceSide {
   void push(Event event);
   Block block_of(const MFunction& m);
 
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   grammar::MemorySource bytes_;
   grammar::LineSource lines_;
   reference::Expander expander_;

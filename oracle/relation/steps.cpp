@@ -22,7 +22,7 @@ std::optional<std::size_t> Correspondence::end_of_small_run(SubjectSide& side, s
   if (begin > 0 && goes_on(side.at(begin - 1), side.at(begin))) return std::nullopt;
   for (std::size_t j = begin;; ++j) {
     const Event& got = side.at(j);
-    const Number tau = tolerance(terms_.tolerance, width + got.width);
+    const Number tau = tolerance(tolerances_.tolerance, width + got.width);
     if (!got.is_motion() || !is_near(got.from, place, tau) || !is_near(got.to, place, tau)) {
       return std::nullopt;
     }
@@ -63,7 +63,7 @@ void Correspondence::traverse(const Place& place, const Interval& entry) {
   Place next = place;
   ++next.i;
   // No traverse at all is one that leads no farther than tau.
-  const Number still = tolerance(terms_.tolerance, want.width + first.width);
+  const Number still = tolerance(tolerances_.tolerance, want.width + first.width);
   if (const auto near = near_part(first, want.to, still)) {
     const Number low = max(entry.low, near->low);
     const Number high = min(entry.high, near->high);
@@ -75,7 +75,7 @@ void Correspondence::traverse(const Place& place, const Interval& entry) {
   // With next.j behind what has been taken.
   while (true) {
     const Event& got = side.at(next.j);
-    const Number tau = tolerance(terms_.tolerance, want.width + got.width);
+    const Number tau = tolerance(tolerances_.tolerance, want.width + got.width);
     if (is_partner(want, got)) {
       const Number begin = next.j == place.j ? entry.low : Number(0);
       if (const auto near = near_part(got, want.to, tau); near && got.one_axis) {
@@ -98,7 +98,8 @@ void Correspondence::traverse(const Place& place, const Interval& entry) {
 }
 
 bool Correspondence::is_partner(const Event& want, const Event& got) const {
-  return got.part == Part::traverse && compare(*want.label, *got.label, terms_) == Likeness::same;
+  return got.part == Part::traverse &&
+         compare(*want.label, *got.label, tolerances_) == Likeness::same;
 }
 
 // R5: which M function that holds no place among the motions the subject's event is: the next one,
@@ -112,7 +113,7 @@ std::optional<std::size_t> Correspondence::fitting_m(const Place& place, bool is
   for (std::size_t number = place.m; number < known; ++number) {
     if (number > place.m && !sides.may_change_places(number - 1, number)) break;
     const Record& due = sides.m_function(number);
-    if (due.m != got.source().m || (terms_.compare_blocks && due.block != got.block)) continue;
+    if (due.m != got.source().m || (tolerances_.compare_blocks && due.block != got.block)) continue;
     const bool stands =
         sides.may_stand(number, place.i) && (!is_within || sides.may_stand(number, place.i + 1));
     if (stands) return number;
@@ -137,8 +138,8 @@ std::optional<Correspondence::Place> Correspondence::behind_m(const Place& place
 // One that is equal so far, but for what is settled.
 std::shared_ptr<ReferenceSide> Correspondence::another_reference(const Place& place,
                                                                  Settled settled) {
-  auto another = std::make_shared<ReferenceSide>(profile_, program_, terms_, std::move(settled),
-                                                 manner_.passes_end);
+  auto another = std::make_shared<ReferenceSide>(profile_, program_, tolerances_,
+                                                 std::move(settled), manner_.passes_end);
   for (const ReferenceSide::Move& move : reference(place).moves()) another->bring_forward(move);
   return another;
 }
@@ -150,11 +151,12 @@ void Correspondence::match_stop(const Place& place) {
   const Record& got = stop.source();
   Place next = place;
   ++next.j;
-  const bool is_same_block = !terms_.compare_blocks || want.block == got.block;
+  const bool is_same_block = !tolerances_.compare_blocks || want.block == got.block;
   if (want.part == Part::stop && is_same_block && want.source().kind == got.kind) {
     const Record& due = want.source();
     const bool is_m = got.kind == RecordKind::m;
-    if (is_m ? due.m == got.m : agree(due.seconds, got.seconds, terms_.resolution, terms_)) {
+    if (is_m ? due.m == got.m
+             : agree(due.seconds, got.seconds, tolerances_.resolution, tolerances_)) {
       reach_corner({next.pair, next.i + 1, next.j, next.m});
     }
   }
@@ -173,12 +175,12 @@ void Correspondence::rename(const Place& place) {
   for (const Axis axis : kAllAxes) pair.start[axis] += renaming.shift[axis];
   // What leads to the new name from elsewhere is a motion, and none that is nil behind it, but
   // where one is due there.
-  const Number& tau = terms_.tolerance;
+  const Number& tau = tolerances_.tolerance;
   const Event& due = reference(place).at(place.i + 1);
   const bool is_nil_due = due.is_motion() && is_near(due.from, due.to, tau);
   const bool leads_there = got.is_motion() && !is_near(got.from, got.to, tau) &&
                            is_near(got.to, rational_near(pair.start), tau);
-  const bool is_its_own = !terms_.compare_blocks || got.block == renaming.block;
+  const bool is_its_own = !tolerances_.compare_blocks || got.block == renaming.block;
   if (leads_there && is_its_own && !is_nil_due) return;
   reach_corner({pair_for(pair), place.i + 1, 0, place.m});
 }
@@ -197,13 +199,14 @@ void Correspondence::take_free_step(const Place& place) {
   const auto step = reference(place).at(place.i).item;
   SubjectSide& side = subject(place);
   if (const auto* pocket = std::get_if<reference::HelixPocket>(&*step)) {
-    for (auto& path : paths_of(*pocket, side, place.j, terms_.tolerance)) {
+    for (auto& path : paths_of(*pocket, side, place.j, tolerances_.tolerance)) {
       settle(place, std::move(path), place);
     }
     return;
   }
   has_width_ = true;
-  const Followed followed{side, place.j, terms_, Slack(terms_, manner_.bias == Bias::outer)};
+  const Followed followed{side, place.j, tolerances_,
+                          Slack(tolerances_, manner_.bias == Bias::outer)};
   StepAnswer answer;
   if (const auto* level = std::get_if<reference::PocketLevel>(&*step)) {
     answer = follow(*level, followed);

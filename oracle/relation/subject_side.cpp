@@ -9,13 +9,13 @@ using reference::Record;
 using reference::RecordKind;
 
 MotionEvents::MotionEvents(Event first, const Record& motion, const Position& from,
-                           const Tolerances& terms, Turn turn)
+                           const Tolerances& tolerances, Turn turn)
     : event_(std::move(first)),
-      cutter_(motion, from, terms.tolerance, turn),
-      tau_(terms.tolerance) {
+      cutter_(motion, from, tolerances.tolerance, turn),
+      tau_(tolerances.tolerance) {
   event_.part = motion.kind == RecordKind::rapid ? Part::traverse : Part::cut;
   event_.block = motion.block;
-  event_.label = std::make_shared<Label>(label_of(motion, cutter_.is_flat(), terms));
+  event_.label = std::make_shared<Label>(label_of(motion, cutter_.is_flat(), tolerances));
 }
 
 std::optional<Event> MotionEvents::next() {
@@ -34,8 +34,8 @@ std::optional<Event> MotionEvents::next() {
 }
 
 SubjectSide::SubjectSide(std::span<const Record> records, std::size_t first, const Position& from,
-                         const Tolerances& terms, Turn turn)
-    : records_(records), next_(first), here_(from), terms_(terms), turn_(turn) {}
+                         const Tolerances& tolerances, Turn turn)
+    : records_(records), next_(first), here_(from), tolerances_(tolerances), turn_(turn) {}
 
 const Event& SubjectSide::at(std::size_t index) {
   while (index >= events_.size()) extend();
@@ -59,7 +59,7 @@ void SubjectSide::extend() {
   }
   Event event;
   event.record = next_;
-  event.from = event.to = rastered(here_, terms_.tolerance).at;
+  event.from = event.to = rastered(here_, tolerances_.tolerance).at;
   if (next_ == records_.size()) {
     events_.push_back(std::move(event));
     places_.push_back(here_);
@@ -69,12 +69,13 @@ void SubjectSide::extend() {
   event.item = std::make_shared<reference::Item>(record);
   event.block = record.block;
   if (is_motion(record.kind)) {
-    motion_.emplace(std::move(event), record, here_, terms_, turn_);
+    motion_.emplace(std::move(event), record, here_, tolerances_, turn_);
     return;
   }
   // Nothing is a dwell of no time.
-  if (record.kind == RecordKind::dwell && agree(0, record.seconds, std::nullopt, terms_)) return;
-  if (record.kind == RecordKind::m && !terms_.compare_m) return;
+  if (record.kind == RecordKind::dwell && agree(0, record.seconds, std::nullopt, tolerances_))
+    return;
+  if (record.kind == RecordKind::m && !tolerances_.compare_m) return;
   event.part = record.kind == RecordKind::end ? Part::close : Part::stop;
   events_.push_back(std::move(event));
   places_.push_back(here_);

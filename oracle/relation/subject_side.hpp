@@ -14,7 +14,7 @@ class SubjectSide {
  public:
   // What it is given must outlive it.
   SubjectSide(std::span<const reference::Record> records, std::size_t first, const Position& from,
-              const Tolerances& terms, Turn turn);
+              const Tolerances& tolerances, Turn turn);
   // The last one is the close; REQUIRES: none before it is.
   const Event& at(std::size_t index);
   // Where the subject stands before an event that is no piece within a motion, exactly.
@@ -26,7 +26,7 @@ class SubjectSide {
   std::span<const reference::Record> records_;
   std::size_t next_;
   Position here_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   Turn turn_;
   std::deque<Event> events_;
   std::deque<Position> places_;

@@ -37,7 +37,7 @@ class ThreadPasses : private ThreadSite {
   static bool is_straight(const Event& piece) { return piece.source().kind == RecordKind::feed; }
   // Where an arc may come as its chord, and where chords are granted.
   bool may_be_round(const Event& piece) const {
-    return !is_straight(piece) || terms_.chord.sign() > 0;
+    return !is_straight(piece) || tolerances_.chord.sign() > 0;
   }
 
   void breaks(std::size_t piece, Step what) {
@@ -48,7 +48,7 @@ class ThreadPasses : private ThreadSite {
   // The next piece that is no stretch without a label (R3).
   std::size_t behind_small(std::size_t i) {
     while (subject_.at(i).is_motion()) {
-      const auto end = end_of_small_stretch(subject_, i, terms_.tolerance);
+      const auto end = end_of_small_stretch(subject_, i, tolerances_.tolerance);
       if (!end) break;
       i = *end;
     }
@@ -117,7 +117,7 @@ class ThreadPasses : private ThreadSite {
   // An infeed of two tolerances may come in pieces of which each stays at one place (R3).
   bool is_small_infeed(std::int64_t number) const {
     const Number infeed = abs(radius_of_pass(number) - radius_of_pass(number - 1));
-    return infeed <= terms_.tolerance * 2 + slack_.round(0);
+    return infeed <= tolerances_.tolerance * 2 + slack_.round(0);
   }
   // For chords: whether one leads to the circle of the pass.
   bool is_infeed(std::size_t i, const Number& radius) {
@@ -149,7 +149,7 @@ class ThreadPasses : private ThreadSite {
     const reference::Record& one = first.source();
     const reference::Record& other = piece.source();
     if (one.kind != RecordKind::arc || other.kind != RecordKind::arc) return false;
-    const Number off = terms_.tolerance * 17 / 4;
+    const Number off = tolerances_.tolerance * 17 / 4;
     return abs(rational_near(one.centre[0] - other.centre[0])) <= off &&
            abs(rational_near(one.centre[1] - other.centre[1])) <= off;
   }
@@ -168,14 +168,14 @@ class ThreadPasses : private ThreadSite {
     Number swept;
     // What a place may be off along the circle, in degrees: below 60 tau / r.
     const Number aside =
-        radius.sign() > 0 ? terms_.tolerance * 17 / 8 * 60 / radius : Number(kTurn);
+        radius.sign() > 0 ? tolerances_.tolerance * 17 / 8 * 60 / radius : Number(kTurn);
     for (std::size_t i = begin;; ++i) {
       const Event& piece = subject_.at(i);
       if (is_end(i) && swept >= whole_ - aside * 2 && is_at_bottom(piece.from)) run_out(number, i);
       if (!piece.is_motion()) return breaks(i, "The helix ends early.");
       if (swept > whole_ + aside * 2)
         return breaks(i, "The helix makes more turns than it has leads.");
-      if (end_of_small_stretch(subject_, i, terms_.tolerance)) {
+      if (end_of_small_stretch(subject_, i, tolerances_.tolerance)) {
         last = offset_of(piece.to);
         continue;
       }
@@ -183,14 +183,14 @@ class ThreadPasses : private ThreadSite {
       if (!broken.empty()) return breaks(i, broken);
       if (!may_be_round(piece)) return breaks(i, "The helix is not round.");
       const Offset to = offset_of(piece.to);
-      if (!is_on(to, radius, slack_.round(piece.width) + terms_.chord)) {
+      if (!is_on(to, radius, slack_.round(piece.width) + tolerances_.chord)) {
         return breaks(i, "The helix has another radius.");
       }
       const Number along = last.p * to.p + last.q * to.q;
       const Number across = (last.p * to.q - last.q * to.p) * thread_.sense;
       // Rounding may lead back by less than it is.
       const bool leads_back = across.sign() < 0;
-      if (leads_back && -across > terms_.tolerance * radius) {
+      if (leads_back && -across > tolerances_.tolerance * radius) {
         return breaks(i, "The helix turns the other way.");
       }
       swept += leads_back ? -degrees_of(along, -across) : degrees_of(along, across);
@@ -217,7 +217,7 @@ class ThreadPasses : private ThreadSite {
       i = behind_small(i);
       const Event& piece = subject_.at(i);
       const Offset here = offset_of(piece.from);
-      const Number off = terms_.tolerance * 17 / 4;
+      const Number off = tolerances_.tolerance * 17 / 4;
       const bool is_over =
           i > begin && is_end(i) && std::ranges::any_of(ends, [&](const Offset& end) {
             return abs(end.p - here.p) <= off && abs(end.q - here.q) <= off;
@@ -236,7 +236,7 @@ class ThreadPasses : private ThreadSite {
       (is_straight(piece) ? has_straight : has_round) = true;
       const bool is_bent = has_straight ? has_round || turns_aside(from, here, offset_of(piece.to))
                                         : !is_of_one_arc(first_round, piece);
-      if (is_bent && (!has_straight || terms_.chord.sign() == 0))
+      if (is_bent && (!has_straight || tolerances_.chord.sign() == 0))
         return breaks(i, "The run-out is neither straight nor one arc.");
       if (!is_straight(piece)) broken = arcs.take(piece, way_of_piece(piece));
       if (!broken.empty()) return breaks(i, broken);

@@ -32,7 +32,7 @@ bool leads_within(const Offset& from, const Offset& to, const Number& radius) {
 
 ThreadSite::ThreadSite(const ThreadMilling& thread, const Followed& way)
     : thread_(thread),
-      terms_(way.terms),
+      tolerances_(way.tolerances),
       slack_(way.slack),
       begin_place_(way.subject.at(way.begin).from),
       axes_(reference::axes_of(thread.plane)),
@@ -49,14 +49,14 @@ std::string_view ThreadSite::words_of(const Event& piece, bool may_traverse) con
   if (moves_another_axis(piece, begin_place_, axes_, slack_.axis(piece.width))) {
     return "Another axis moves.";
   }
-  if (terms_.compare_blocks && piece.block != thread_.block) {
+  if (tolerances_.compare_blocks && piece.block != thread_.block) {
     return "The motion is of another line.";
   }
   if (piece.part == Part::traverse) return may_traverse ? "" : "A traverse stands for a cut.";
   const Label& label = *piece.label;
   const bool cuts = label.kind == RecordKind::feed || label.kind == RecordKind::arc;
   const bool has_feed = label.feed_mode == thread_.feed_mode &&
-                        agree(thread_.feed, label.feed, terms_.feed_resolution, terms_);
+                        agree(thread_.feed, label.feed, tolerances_.feed_resolution, tolerances_);
   return cuts && has_feed ? "" : "The motion is of another kind or feed.";
 }
 
@@ -100,7 +100,7 @@ bool ThreadSite::is_safe(const Position& place) const {
 bool ThreadSite::turns_aside(const Offset& begin, const Offset& from, const Offset& to) const {
   const Offset first{from.p - begin.p, from.q - begin.q};
   const Offset all{to.p - begin.p, to.q - begin.q};
-  const Number off = terms_.tolerance * 3;
+  const Number off = tolerances_.tolerance * 3;
   const Number across = first.p * all.q - first.q * all.p;
   const bool goes_back = first.p * (to.p - from.p) + first.q * (to.q - from.q) < -off * off;
   return goes_back || across * across > off * off * all.square();

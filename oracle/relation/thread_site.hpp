@@ -28,7 +28,7 @@ struct ThreadSite {
     return abs(place[axes_.d] - top_) <= slack_.axis(width);
   }
   bool is_at_bottom(const Position& place) const {
-    return abs(height_of(place)) <= terms_.tolerance * 17 / 8;
+    return abs(height_of(place)) <= tolerances_.tolerance * 17 / 8;
   }
   // On a circle; deeper in the material than it, farther from the axis than it, in any point.
   static bool is_on(const Offset& at, const Number& radius, const Number& off);
@@ -48,7 +48,7 @@ struct ThreadSite {
   std::string_view broken_height(const Event& piece) const;
 
   const reference::ThreadMilling& thread_;
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   Slack slack_;
   Position begin_place_;
   reference::PlaneAxes axes_;

@@ -45,15 +45,15 @@ const Record* dwell_of(const ReferenceStep& step) {
 }
 
 ReferenceSteps::ReferenceSteps(const reference::Profile& profile, const ProgramText& program,
-                               const Tolerances& terms, const AssignmentSet* watched,
+                               const Tolerances& tolerances, const AssignmentSet* watched,
                                Forking forking)
-    : terms_(terms),
+    : tolerances_(tolerances),
       expander_(profile, program, watched, forking),
       place_(profile.initial.at),
-      leaves_out_m_functions_(!terms.compare_m) {}
+      leaves_out_m_functions_(!tolerances.compare_m) {}
 
 const reference::Item* ReferenceSteps::next_item() {
-  if (is_at_silent_end_) expander_.pass_over_end();
+  if (is_at_silent_end_) expander_.go_past_end();
   const reference::Item* item = expander_.next();
   if (item == nullptr) return item;
   ++items_;
@@ -74,7 +74,7 @@ const ReferenceSteps::Step* ReferenceSteps::known(std::size_t number) const {
 }
 
 const std::shared_ptr<const Curve>& ReferenceSteps::curve_of(const Step& step) const {
-  if (!step.curve) step.curve = std::make_shared<Curve>(std::get<Motion>(step.what), terms_);
+  if (!step.curve) step.curve = std::make_shared<Curve>(std::get<Motion>(step.what), tolerances_);
   return step.curve;
 }
 
@@ -104,7 +104,7 @@ void ReferenceSteps::take(const reference::Item& item) {
   step.m_functions = taken_m_functions_ + m_functions_.size();
   if (record != nullptr && is_motion(record->kind)) {
     Motion motion = motion_from(place_, *record, items_);
-    if (!terms_.compare_blocks) motion.record.block = 0;
+    if (!tolerances_.compare_blocks) motion.record.block = 0;
     place_ = motion.to();
     step.what = std::move(motion);
     return;

@@ -36,7 +36,7 @@ class ReferenceSteps {
  public:
   // `watched`: as of a WatchedReference.
   ReferenceSteps(const reference::Profile& profile, const ProgramText& program,
-                 const Tolerances& terms, const AssignmentSet* watched, Forking forking);
+                 const Tolerances& tolerances, const AssignmentSet* watched, Forking forking);
 
   struct Step {
     ReferenceStep what;
@@ -102,7 +102,7 @@ class ReferenceSteps {
   void take(const reference::Item& item);
   void count_passes(const reference::ThreadMilling& thread);
 
-  const Tolerances& terms_;
+  const Tolerances& tolerances_;
   WatchedReference expander_;
   std::deque<Step> steps_;
   std::size_t first_ = 0;  // number of the first step that is kept

@@ -82,7 +82,7 @@ bool WatchedReference::is_parted(const Other& other) const {
 void WatchedReference::take_turn(Turn turn) {
   if (watched_ == nullptr) return;
   for (const auto& other : others_) {
-    turn.stands_at ? other->expander.stand_at(*turn.stands_at) : other->expander.pass_over_end();
+    turn.stands_at ? other->expander.stand_at(*turn.stands_at) : other->expander.go_past_end();
   }
   turns_.push_back(std::move(turn));
 }
@@ -92,8 +92,8 @@ void WatchedReference::stand_at(const reference::Position& position) {
   take_turn({items_, position});
 }
 
-void WatchedReference::pass_over_end() {
-  expander_.pass_over_end();
+void WatchedReference::go_past_end() {
+  expander_.go_past_end();
   take_turn({items_, std::nullopt});
 }
 
@@ -146,7 +146,7 @@ void WatchedReference::add_other(const Profile& beside, Parted what, const Other
   auto turn = turns_.begin();
   const auto take_turns = [&] {
     for (; turn != turns_.end() && turn->items == other.items; ++turn) {
-      turn->stands_at ? other.expander.stand_at(*turn->stands_at) : other.expander.pass_over_end();
+      turn->stands_at ? other.expander.stand_at(*turn->stands_at) : other.expander.go_past_end();
     }
   };
   for (take_turns(); other.items < items; take_turns()) {

@@ -28,7 +28,7 @@ class WatchedReference {
   // As of an Expander.
   const reference::Item* next();
   void stand_at(const reference::Position& position);
-  void pass_over_end();
+  void go_past_end();
   const reference::ReadingsInUse& readings() const { return expander_.readings(); }
   bool is_in_order() const { return expander_.is_in_order(); }
   std::string_view failed_line() const { return expander_.failed_line(); }

@@ -79,8 +79,8 @@ void judge_trace(const std::string& program, const reference::Profile& profile,
                  const std::string& trace) {
   SubjectInfo subject;
   subject.features = {"blocks"};
-  const Tolerances terms = make_tolerances(subject, profile, std::nullopt, std::nullopt);
-  JudgeSession session(profile, program, terms);
+  const Tolerances tolerances = make_tolerances(subject, profile, std::nullopt, std::nullopt);
+  JudgeSession session(profile, program, tolerances);
   TraceReader reader;
   std::istringstream lines(trace);
   for (std::string line; std::getline(lines, line);) {

@@ -26,13 +26,13 @@ SubjectInfo coarse() {
   return subject;
 }
 
-VerdictKind judged(const Tolerances& terms, const char* feed) {
+VerdictKind judged(const Tolerances& tolerances, const char* feed) {
   const reference::Profile profile = profile_of("gsk988ta");
   TraceReader reader;
   std::vector<reference::Record> records;
   const std::string line = std::string(R"({"k":"feed","b":1,"to":{"z":"5"},"f":)") + feed + "}";
   records.push_back(std::get<reference::Record>(reader.read(line)));
-  return judge_outcome(profile, std::string("G98 G01 Z5 F0.2\n"), terms, records, RunEnd{})
+  return judge_outcome(profile, std::string("G98 G01 Z5 F0.2\n"), tolerances, records, RunEnd{})
       .verdict.kind;
 }
 
@@ -53,10 +53,10 @@ TEST(Tolerances, TheCertifierGrantsMore) {
   grants.feed_resolution = number("0.1");
   grants.chord = number("0.5");
   grants.strict = true;
-  const Tolerances terms = make_tolerances(coarse(), profile_of("gsk988ta"), grants);
-  EXPECT_EQ(terms.feed_resolution, number("0.1"));
-  EXPECT_EQ(terms.chord, number("0.5"));
-  EXPECT_TRUE(terms.strict);
+  const Tolerances tolerances = make_tolerances(coarse(), profile_of("gsk988ta"), grants);
+  EXPECT_EQ(tolerances.feed_resolution, number("0.1"));
+  EXPECT_EQ(tolerances.chord, number("0.5"));
+  EXPECT_TRUE(tolerances.strict);
 }
 
 TEST(Tolerances, SayWhatCountsForLess) {
@@ -84,9 +84,9 @@ TEST(Tolerances, ADoubleIsRightForOneThatComputesInDoubles) {
   const char* feed = R"("0x1.999999999999ap-3")";
   for (const char* kind : {"exact", "binary64"}) {
     subject.numeric_kind = kind;
-    const Tolerances terms = make_tolerances(subject, profile_of("gsk988ta"), Grants{});
-    EXPECT_EQ(decision(judged(terms, feed)), Decision::go) << kind;
-    EXPECT_EQ(judged(terms, R"("0.2000001")"), VerdictKind::fail_feed) << kind;
+    const Tolerances tolerances = make_tolerances(subject, profile_of("gsk988ta"), Grants{});
+    EXPECT_EQ(decision(judged(tolerances, feed)), Decision::go) << kind;
+    EXPECT_EQ(judged(tolerances, R"("0.2000001")"), VerdictKind::fail_feed) << kind;
   }
 }
 

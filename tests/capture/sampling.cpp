@@ -97,8 +97,8 @@ Verdict judge_samples(const SampledCase& test, const std::string& csv) {
       std::get<reference::Profile>(reference::default_profile(std::string(test.dialect)));
   std::optional<Number> tolerance;
   if (!test.tolerance.empty()) tolerance = Number::parse(test.tolerance);
-  const Tolerances terms = make_tolerances({}, profile, tolerance, std::nullopt);
-  SampledTerms sampled;
+  const Tolerances tolerances = make_tolerances({}, profile, tolerance, std::nullopt);
+  SampledTolerances sampled;
   sampled.header_lines = test.header_lines;
   sampled.feed_tolerance = *Number::parse(test.feed_tolerance);
   sampled.blend = *Number::parse(test.blend);
@@ -106,7 +106,7 @@ Verdict judge_samples(const SampledCase& test, const std::string& csv) {
   RunEnd end = check_samples(file.path(), sampled);
   if (end.alarm.block > test.header_lines) end.alarm.block -= test.header_lines;
   end.sampled = std::make_shared<const CapturedSamples>(file.path(), sampled);
-  return judge_outcome(profile, test.program, terms, std::span<const Record>(), end).verdict;
+  return judge_outcome(profile, test.program, tolerances, std::span<const Record>(), end).verdict;
 }
 
 TemporaryFile::TemporaryFile(std::string_view text) {

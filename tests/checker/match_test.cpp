@@ -22,10 +22,10 @@ Judgement found(const std::vector<std::string>& want, const std::vector<std::str
   const Vector vector{"x.y.000001", dialect, {}, parse_json("{}"), program, {}};
   Expectation expectation;
   expectation.records = records_of(want);
-  Tolerances terms;
-  terms.tolerance = Rational(1, 1000);
-  terms.is_exact = is_exact;
-  return match(vector, expectation, {records_of(got), std::nullopt, TraceEnd::end, {}}, terms);
+  Tolerances tolerances;
+  tolerances.tolerance = Rational(1, 1000);
+  tolerances.is_exact = is_exact;
+  return match(vector, expectation, {records_of(got), std::nullopt, TraceEnd::end, {}}, tolerances);
 }
 
 std::string to(const char* kind, const std::string& axes) {
@@ -207,12 +207,12 @@ TEST(CheckerMatch, AfterARenamingADepartureIsNotDecided) {
 }
 
 TEST(CheckerMatch, FeedsOfABinarySubjectMayBeOffByTwoUnitsOfTheLastPlace) {
-  Tolerances terms;
-  terms.is_binary64 = true;
+  Tolerances tolerances;
+  tolerances.is_binary64 = true;
   // Between 64 and 128 the last place is worth 2^-46.
   const Rational unit = parse_rational("0x1p-46");
-  EXPECT_EQ(feed_agrees(100, Rational(100 + 2 * unit), terms), Truth::yes);
-  EXPECT_EQ(feed_agrees(100, Rational(100 + 3 * unit), terms), Truth::no);
+  EXPECT_EQ(feed_agrees(100, Rational(100 + 2 * unit), tolerances), Truth::yes);
+  EXPECT_EQ(feed_agrees(100, Rational(100 + 3 * unit), tolerances), Truth::no);
 }
 
 TEST(CheckerMatch, RootsAreComparedByTheirSquares) {

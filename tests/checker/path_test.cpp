@@ -9,11 +9,11 @@ namespace {
 Path path_of(const std::vector<std::string>& records, long renaming = 0) {
   std::vector<Record> all;
   for (const std::string& text : records) all.push_back(read_record(parse_json(text)));
-  PathTerms terms;
-  for (auto& coordinate : terms.start) coordinate = Real(0);
-  terms.tolerance = Rational(1, 1000);
-  terms.renaming = renaming;
-  return make_path(all, terms);
+  PathTolerances tolerances;
+  for (auto& coordinate : tolerances.start) coordinate = Real(0);
+  tolerances.tolerance = Rational(1, 1000);
+  tolerances.renaming = renaming;
+  return make_path(all, tolerances);
 }
 
 std::string feed(const std::string& to, int block = 1) {

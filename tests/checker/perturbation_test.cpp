@@ -45,10 +45,10 @@ Answer answer_to(std::size_t which, const Rational& off) {
   Vector vector{"x.y.000001", "rs274", {}, parse_json("{}"), "\n\n\n\n", {}};
   Expectation expectation;
   expectation.records = records_with(kNumbers.size(), 0);
-  Tolerances terms;
-  terms.tolerance = Rational(1, 1000);
+  Tolerances tolerances;
+  tolerances.tolerance = Rational(1, 1000);
   const Trace trace{records_with(which, off), std::nullopt, TraceEnd::end, {}};
-  return match(vector, expectation, trace, terms).answer;
+  return match(vector, expectation, trace, tolerances).answer;
 }
 
 TEST(CheckerPerturbation, NothingOffFits) {

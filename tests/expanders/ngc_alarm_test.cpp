@@ -51,14 +51,14 @@ TEST(NgcAlarm, MotionCodesAlone) {
 }
 
 TEST(NgcAlarm, WordsThatNothingUses) {
-  constexpr const char* kPassedOver = R"({"readings":{"ngc.unused-words":"ignored"}})";
+  constexpr const char* kIgnored = R"({"readings":{"ngc.unused-words":"ignored"}})";
   for (const char* block :
        {"G0 X1 I2",    "G0 X1 R2",     "G0 X1 L2",    "G1 X1 P2",     "I1",           "R1",
         "P1",          "S100 I2",      "G17 I2",      "M3 S100 P2",   "G61 P1",       "T1 H1",
         "G40 D1",      "G4 P1 Q1",     "M50 Q1",      "M67 E0 P1 Q1", "M68 E0 Q1 L0", "M61 Q0 L0",
         "G2 X2 I1 Q1", "G2 X2 I1\nP2", "G2 X2 I1\nR2"}) {
     EXPECT_EQ(ngc_alarm(block), "unused-word") << block;
-    EXPECT_EQ(ngc_alarm(block, kPassedOver), "") << block;
+    EXPECT_EQ(ngc_alarm(block, kIgnored), "") << block;
   }
   for (const char* block :
        {"G64 P0.1 Q0.1", "M66 P0 L3 Q1", "M66 E0 L0", "M67 E0 Q1", "M61 Q0", "M62 P1", "M53 P1"}) {

@@ -61,7 +61,7 @@ TEST(SinumerikText, CommentsHoldAnything) {
   EXPECT_EQ(motions_and_alarm("G0 X1\xFF\n"), "syntax");
 }
 
-TEST(SinumerikText, CallsThatArePassedOver) {
+TEST(SinumerikText, CallsThatAreIgnored) {
   const Outcome outcome =
       run_sinumerik("MSG(\"A ; ) \xE5\x88\x80\")\nG0 SOFT X1 LIMS=3000 H5=12\n");
   EXPECT_EQ(outcome.motions(), "rapid x=1\n");

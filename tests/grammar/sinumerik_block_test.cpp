@@ -139,7 +139,7 @@ TEST(SinumerikHead, ASlashWithOrWithoutALevelAsksForSkipping) {
   EXPECT_FALSE(sinumerik_block("N10 G0").skip);
 }
 
-TEST(SinumerikHead, ALabelIsPassedOver) {
+TEST(SinumerikHead, ALabelIsIgnored) {
   EXPECT_EQ(words_of("START: G0"), "G{0}");
   EXPECT_EQ(words_of("/N10 AB_1:X5"), "X{5}");
   EXPECT_EQ(words_of("LOOP:"), "");

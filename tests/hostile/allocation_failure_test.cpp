@@ -23,7 +23,7 @@ std::string text_of(const Verdict& verdict) {
 
 struct Machine {
   reference::Profile profile;
-  Tolerances terms;
+  Tolerances tolerances;
 };
 
 Machine machine_of(const char* dialect) {
@@ -31,13 +31,13 @@ Machine machine_of(const char* dialect) {
   machine.profile.readings = machine.profile.readings.shown();
   SubjectInfo subject;
   subject.features = {"blocks", "m"};
-  machine.terms = make_tolerances(subject, machine.profile, {}, {});
+  machine.tolerances = make_tolerances(subject, machine.profile, {}, {});
   return machine;
 }
 
 // A trace as a subject sends it, line by line.
 std::string judged(const Machine& machine, std::string_view program, std::string_view trace) {
-  JudgeSession session(machine.profile, program, machine.terms);
+  JudgeSession session(machine.profile, program, machine.tolerances);
   TraceReader reader;
   while (!trace.empty()) {
     const std::size_t end = trace.find('\n');

@@ -27,10 +27,10 @@ bool names(std::string_view words, const std::string& address) {
   return false;
 }
 
-bool is_passed_over(const Dialect& dialect, const Code& code, const std::string& address) {
+bool is_ignored(const Dialect& dialect, const Code& code, const std::string& address) {
   // A code without effect takes its words with it.
   if (code.treatment == Treatment::without_effect && code.find(address) != nullptr) return true;
-  const auto holds = [&](const PassedOver& rule) { return names(rule.words, address); };
+  const auto holds = [&](const IgnoredWords& rule) { return names(rule.words, address); };
   return std::ranges::any_of(dialect.descriptor->passed_everywhere, holds) ||
          std::ranges::any_of(code.passed, holds);
 }
@@ -53,7 +53,7 @@ std::string dropped(const Dialect& dialect, const Profile& profile, Bench bench,
                        with.not_covered->code.starts_with(name);
     return named ? "" : "not covered, but not by the name of the word: " + program;
   }
-  if (!(with == without) || is_passed_over(dialect, code, address)) return "";
+  if (!(with == without) || is_ignored(dialect, code, address)) return "";
   return fmt::format("{}{} is dropped in silence: {}", address, value, program);
 }
 
@@ -116,7 +116,7 @@ TEST(WordUse, TheTableTellsUsedWordsFromOthers) {
           EXPECT_LT(count(Fate::refused), std::ssize(fates)) << what << " is never used";
         } else {
           EXPECT_EQ(count(Fate::used), 0) << what << " is used, and not described";
-          if (!is_passed_over(dialect, *code, address)) {
+          if (!is_ignored(dialect, *code, address)) {
             EXPECT_EQ(count(Fate::idle), 0) << what;
           }
         }

@@ -67,9 +67,9 @@ Motion arc(Plane plane, const Position& from, std::array<Number, 2> centre, int 
 // The answer to the first piece that departs, else to the last.
 MatchResult match(const Motion& reference, const std::vector<Motion>& pieces,
                   const char* chord = "0") {
-  Tolerances terms;
-  terms.chord = *Number::parse(chord);
-  CurveFollower curve(reference, terms);
+  Tolerances tolerances;
+  tolerances.chord = *Number::parse(chord);
+  CurveFollower curve(reference, tolerances);
   MatchResult result;
   for (const Motion& piece : pieces) {
     result = curve.match(piece);
@@ -154,9 +154,9 @@ TEST(Arc3, TheProgramsOwnPointsMayBeRoundedWhateverCircleTheyMake) {
   const Position to = xyz("0", "11.0000004", "3");
   const Motion want = arc3(from, via, to);
   const auto fits_within = [&](const Motion& subject, const char* tolerance) {
-    Tolerances terms;
-    terms.tolerance = *Number::parse(tolerance);
-    return CurveFollower(want, terms).match(subject).departure == Departure::none;
+    Tolerances tolerances;
+    tolerances.tolerance = *Number::parse(tolerance);
+    return CurveFollower(want, tolerances).match(subject).departure == Departure::none;
   };
   const Motion rounded = arc3(xyz("0", "0", "0"), xyz("9000", "0", "0"), xyz("0", "11", "3"));
   EXPECT_TRUE(fits_within(rounded, "0.000001"));

@@ -37,11 +37,11 @@ Motion any_motion(Chance& chance) {
 }
 
 TEST(EqualMotion, IsTheWholeOfTheReferencesByTheRulesOfTheMatch) {
-  Tolerances terms;
-  terms.tolerance = Number::millionths(1000);
+  Tolerances tolerances;
+  tolerances.tolerance = Number::millionths(1000);
   each_trial(20'000, [&](Chance& chance) {
     const Motion motion = any_motion(chance);
-    const CurveAnswer answer = Curve(motion, terms).follow({}, motion);
+    const CurveAnswer answer = Curve(motion, tolerances).follow({}, motion);
     std::string text;
     append_json(motion.record, text);
     ASSERT_EQ(answer.departure, Departure::none) << text << ": " << answer.reason;

@@ -27,14 +27,15 @@ TEST(EqualSteps, SayWhatTheWholeWaySays) {
     const GeneratedOutcome of =
         generated_outcome(choices.pick(generate::generators()), {}, choices);
     const Profile& profile = of.program.profile;
-    Tolerances terms = of.terms;
-    terms.skip_equal = false;
-    const std::string whole = text_of(judged(profile, of.program.text, of.outcome, terms));
-    terms.skip_equal = true;
+    Tolerances tolerances = of.tolerances;
+    tolerances.skip_equal = false;
+    const std::string whole = text_of(judged(profile, of.program.text, of.outcome, tolerances));
+    tolerances.skip_equal = true;
     std::string where = fmt::format("{}\n{}", reference::profile_json(profile), of.program.text);
     for (const Record& record : of.outcome.records) where += line_of(record) + "\n";
-    ASSERT_EQ(text_of(judged(profile, of.program.text, of.outcome, terms)), whole) << where;
-    ASSERT_EQ(text_of(judged_by_lines(profile, of.program.text, of.outcome, terms, known)), whole)
+    ASSERT_EQ(text_of(judged(profile, of.program.text, of.outcome, tolerances)), whole) << where;
+    ASSERT_EQ(text_of(judged_by_lines(profile, of.program.text, of.outcome, tolerances, known)),
+              whole)
         << where;
     records += of.outcome.records.size();
   });
@@ -62,8 +63,8 @@ Motion short_motion(const Position& from, Chance& chance) {
 // One that is dropped is not visible, however far a subject's doubles are off.
 TEST(PlainMotion, IsNotVisibleWhereItIsDropped) {
   constexpr long kTrials = 200'000;
-  Tolerances terms;
-  terms.binary64 = true;
+  Tolerances tolerances;
+  tolerances.binary64 = true;
   long dropped = 0;
   each_trial(kTrials, [&](Chance& chance) {
     Position from;
@@ -71,12 +72,12 @@ TEST(PlainMotion, IsNotVisibleWhereItIsDropped) {
         chance.one_of(std::to_array<std::int64_t>({0, 1'000, 100'000'000, 1'500'000'000}));
     from[Axis::x] = Number(far);
     const Motion motion = short_motion(from, chance);
-    if (!stays_at(from, motion, terms)) return;
+    if (!stays_at(from, motion, tolerances)) return;
     ++dropped;
     PlainMotion plain;
     PlainMotion::Place start;
     ASSERT_TRUE(take_place(motion.from, start) && plain.take(motion.record, start));
-    ASSERT_FALSE(plain.is_visible(terms)) << line_of(motion.record);
+    ASSERT_FALSE(plain.is_visible(tolerances)) << line_of(motion.record);
   });
   EXPECT_GT(dropped, trial_count(kTrials) / 100);
 }

@@ -13,10 +13,10 @@ std::string explained(std::string_view program, std::string_view dialect, Readin
                       ReadingValues follows) {
   const reference::Profile profile = profile_of(dialect, says);
   const OwnOutcome own = own_outcome(program, profile_of(dialect, follows));
-  const Tolerances terms = exact_terms(profile);
-  const Verdict verdict = judge_outcome(profile, program, terms, own.records, own.end).verdict;
+  const Tolerances tolerances = exact_terms(profile);
+  const Verdict verdict = judge_outcome(profile, program, tolerances, own.records, own.end).verdict;
   EXPECT_EQ(decision(verdict.kind), Decision::no_go) << verdict.message;
-  return explaining_reading(profile, program, terms, own.records, own.end);
+  return explaining_reading(profile, program, tolerances, own.records, own.end);
 }
 
 TEST(ExplainingReading, IsTheOneThatTheSubjectFollows) {
@@ -51,11 +51,12 @@ TEST(ExplainingReading, MayBeOneThatIsJudgedByProperties) {
   const reference::Profile follows =
       with_tool(profile_of("sinumerik802s", {{"sie.infeed", "max-rest"}}));
   const OwnOutcome own = own_outcome(kRectangularPocket, follows);
-  const Tolerances terms = exact_terms(says);
+  const Tolerances tolerances = exact_terms(says);
   EXPECT_EQ(
-      decision(judge_outcome(says, kRectangularPocket, terms, own.records, own.end).verdict.kind),
+      decision(
+          judge_outcome(says, kRectangularPocket, tolerances, own.records, own.end).verdict.kind),
       Decision::no_go);
-  EXPECT_EQ(explaining_reading(says, kRectangularPocket, terms, own.records, own.end),
+  EXPECT_EQ(explaining_reading(says, kRectangularPocket, tolerances, own.records, own.end),
             "sie.infeed=max-rest");
 }
 
@@ -71,9 +72,9 @@ TEST(ExplainingReading, GivesUpWhereItWouldCostTooMuch) {
   const reference::Profile profile = profile_of("sinumerik840d");
   const std::string_view program = "G70 G1 X1 F5\n";
   const OwnOutcome own = own_outcome(program, profile_of("sinumerik840d", {{"sie.g70.f", "inch"}}));
-  const Tolerances terms = exact_terms(profile);
-  EXPECT_EQ(explaining_reading(profile, program, terms, own.records, own.end, 1'000), "");
-  EXPECT_EQ(explaining_reading(profile, program, terms, own.records, own.end, 100'000),
+  const Tolerances tolerances = exact_terms(profile);
+  EXPECT_EQ(explaining_reading(profile, program, tolerances, own.records, own.end, 1'000), "");
+  EXPECT_EQ(explaining_reading(profile, program, tolerances, own.records, own.end, 100'000),
             "sie.g70.f=inch");
 }
 

@@ -29,14 +29,14 @@ std::string text_of(const SessionVerdict& said) {
 }
 
 SessionVerdict judged(const reference::Profile& profile, const std::string& program,
-                      const Outcome& outcome, const Tolerances& terms) {
-  return judge_outcome(profile, program, terms, outcome.records, outcome.end);
+                      const Outcome& outcome, const Tolerances& tolerances) {
+  return judge_outcome(profile, program, tolerances, outcome.records, outcome.end);
 }
 
 SessionVerdict judged_by_lines(const reference::Profile& profile, const std::string& program,
-                               const Outcome& outcome, const Tolerances& terms,
+                               const Outcome& outcome, const Tolerances& tolerances,
                                std::size_t& known) {
-  JudgeSession session(profile, program, terms);
+  JudgeSession session(profile, program, tolerances);
   TraceReader reader;
   bool goes_on = true;
   for (const Record& record : outcome.records) {
@@ -112,7 +112,7 @@ const gonogo_subject_v1& any_expander(const generate::Generator& generator,
 void run_and_note_terms(const gonogo_subject_v1& table, GeneratedOutcome& made) {
   const reference::Profile& profile = made.program.profile;
   made.outcome = run(table, profile, made.program.text);
-  made.terms =
+  made.tolerances =
       make_tolerances(make_interface_subject(table)->info(), profile, std::nullopt, std::nullopt);
 }
 

@@ -20,7 +20,7 @@ struct Outcome {
 struct GeneratedOutcome {
   generate::GeneratedProgram program;
   Outcome outcome;
-  Tolerances terms;
+  Tolerances tolerances;
 };
 
 // What an expander does rightly with a program of the settings.
@@ -40,10 +40,11 @@ std::string text_of(const SessionVerdict& said);
 
 // Judged record by record.
 SessionVerdict judged(const reference::Profile& profile, const std::string& program,
-                      const Outcome& outcome, const Tolerances& terms);
+                      const Outcome& outcome, const Tolerances& tolerances);
 
 // Judged line by line; `known` counts those that were not read.
 SessionVerdict judged_by_lines(const reference::Profile& profile, const std::string& program,
-                               const Outcome& outcome, const Tolerances& terms, std::size_t& known);
+                               const Outcome& outcome, const Tolerances& tolerances,
+                               std::size_t& known);
 
 }  // namespace gonogo::oracle

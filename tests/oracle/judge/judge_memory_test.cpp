@@ -38,8 +38,8 @@ Verdict judged_as_it_goes(const std::string& blocks, int count) {
   for (int i = 0; i < count; ++i) program += blocks;
   SubjectInfo subject;
   subject.features = {"blocks", "m"};
-  const Tolerances terms = make_tolerances(subject, profile, {}, {});
-  ProgramJudge judge(profile, program, terms);
+  const Tolerances tolerances = make_tolerances(subject, profile, {}, {});
+  ProgramJudge judge(profile, program, tolerances);
   ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::shown);
   while (const reference::Item* item = expander.next()) judge.record(std::get<Record>(*item));

@@ -42,8 +42,8 @@ Verdict judge_trace(std::string_view program, std::string_view trace, const Judg
   if (!judging.chord.empty()) chord = Number::parse(judging.chord);
   std::optional<Number> tolerance;
   if (!judging.tolerance.empty()) tolerance = Number::parse(judging.tolerance);
-  Tolerances terms = make_tolerances(subject, profile, tolerance, chord);
-  terms.strict = judging.strict;
+  Tolerances tolerances = make_tolerances(subject, profile, tolerance, chord);
+  tolerances.strict = judging.strict;
   TraceReader reader;
   std::vector<reference::Record> records;
   RunEnd end;
@@ -59,7 +59,7 @@ Verdict judge_trace(std::string_view program, std::string_view trace, const Judg
       records.push_back(std::get<reference::Record>(read));
     }
   }
-  return judge_outcome(profile, program, terms, records, end).verdict;
+  return judge_outcome(profile, program, tolerances, records, end).verdict;
 }
 
 std::string TraceText::axes(std::initializer_list<AxisTo> to) const {

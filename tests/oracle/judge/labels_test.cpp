@@ -29,76 +29,77 @@ bool is_undecided(const auto& question) {
 // 31.25 / sqrt(629) = 1.2460190981701562...
 const Number kLead = number("31.25") / exact::sqrt(629);
 
-Tolerances terms_of(const char* increment) {
-  Tolerances terms;
-  terms.increment = number(increment);
-  return terms;
+Tolerances tolerances_of(const char* increment) {
+  Tolerances tolerances;
+  tolerances.increment = number(increment);
+  return tolerances;
 }
 
 TEST(Labels, ADecimalOfWhichNothingIsDeclaredIsRoundedToItsOwnLastPlace) {
-  const Tolerances terms = terms_of("0.0001");
+  const Tolerances tolerances = tolerances_of("0.0001");
   for (const char* got : {"1.24601909817", "1.246019098170156", "1.2460191", "1.24602", "1.246"}) {
-    EXPECT_TRUE(stands_for(number(got), kLead, std::nullopt, terms)) << got;
+    EXPECT_TRUE(stands_for(number(got), kLead, std::nullopt, tolerances)) << got;
   }
   // Off by one in the last place, and a place coarser than the profile's: 1.2 is off by 0.046.
   for (const char* got : {"1.24601909818", "1.246019098171", "1.2460192", "1.24603", "1.2461",
                           "1.247", "1.25", "1.2", "1"}) {
-    EXPECT_FALSE(stands_for(number(got), kLead, std::nullopt, terms)) << got;
+    EXPECT_FALSE(stands_for(number(got), kLead, std::nullopt, tolerances)) << got;
   }
   // As near, but no decimal.
-  EXPECT_FALSE(stands_for(number("1.246") + Number(1) / 60'000, kLead, std::nullopt, terms));
+  EXPECT_FALSE(stands_for(number("1.246") + Number(1) / 60'000, kLead, std::nullopt, tolerances));
 }
 
 TEST(Labels, ADecimalThatCanBeWrittenHasToBe) {
-  const Tolerances terms = terms_of("0.001");
-  EXPECT_TRUE(stands_for(100, 100, std::nullopt, terms));
+  const Tolerances tolerances = tolerances_of("0.001");
+  EXPECT_TRUE(stands_for(100, 100, std::nullopt, tolerances));
   for (const char* got : {"100.0004", "99.9999", "100.00001", "100.000000000001"}) {
-    EXPECT_FALSE(stands_for(number(got), 100, std::nullopt, terms)) << got;
+    EXPECT_FALSE(stands_for(number(got), 100, std::nullopt, tolerances)) << got;
   }
   // The increment is the coarsest rounding.
-  EXPECT_TRUE(stands_for(number("0.333"), Number(1) / 3, std::nullopt, terms));
-  EXPECT_FALSE(stands_for(number("0.33"), Number(1) / 3, std::nullopt, terms));
+  EXPECT_TRUE(stands_for(number("0.333"), Number(1) / 3, std::nullopt, tolerances));
+  EXPECT_FALSE(stands_for(number("0.33"), Number(1) / 3, std::nullopt, tolerances));
 }
 
 TEST(Labels, WhatIsDeclaredCountsInsteadOfTheLastPlace) {
-  const Tolerances terms = terms_of("0.0001");
-  EXPECT_TRUE(stands_for(number("1.24603"), kLead, number("0.0001"), terms));
-  EXPECT_FALSE(stands_for(number("1.2461"), kLead, number("0.0001"), terms));
-  EXPECT_FALSE(stands_for(number("1.24603"), kLead, number("0.00001"), terms));
+  const Tolerances tolerances = tolerances_of("0.0001");
+  EXPECT_TRUE(stands_for(number("1.24603"), kLead, number("0.0001"), tolerances));
+  EXPECT_FALSE(stands_for(number("1.2461"), kLead, number("0.0001"), tolerances));
+  EXPECT_FALSE(stands_for(number("1.24603"), kLead, number("0.00001"), tolerances));
 }
 
 // The last place of 1.25 is 2^-52, and 2^-51 of it two and a half of these.
 TEST(Labels, ADoubleMayBeOffByTwoUnitsInTheLastPlace) {
-  Tolerances terms = terms_of("0.0001");
+  Tolerances tolerances = tolerances_of("0.0001");
   const Number unit = Number::binary(1, -52);
-  EXPECT_TRUE(stands_for(number("1.25") + unit, number("1.25"), std::nullopt, terms));
-  terms.binary64 = true;
-  EXPECT_TRUE(stands_for(number("1.25") - unit * 2, number("1.25"), std::nullopt, terms));
-  EXPECT_FALSE(stands_for(number("1.25") - unit * 5, number("1.25"), std::nullopt, terms));
-  terms.binary64 = false;
-  terms.exact = true;
-  EXPECT_FALSE(stands_for(number("1.25") + unit, number("1.25"), std::nullopt, terms));
+  EXPECT_TRUE(stands_for(number("1.25") + unit, number("1.25"), std::nullopt, tolerances));
+  tolerances.binary64 = true;
+  EXPECT_TRUE(stands_for(number("1.25") - unit * 2, number("1.25"), std::nullopt, tolerances));
+  EXPECT_FALSE(stands_for(number("1.25") - unit * 5, number("1.25"), std::nullopt, tolerances));
+  tolerances.binary64 = false;
+  tolerances.exact = true;
+  EXPECT_FALSE(stands_for(number("1.25") + unit, number("1.25"), std::nullopt, tolerances));
 }
 
 TEST(Labels, AnEnclosureThatHoldsTheNumberIsTheNumber) {
   for (const bool exact : {false, true}) {
-    Tolerances terms = terms_of("0.001");
-    terms.exact = exact;
+    Tolerances tolerances = tolerances_of("0.001");
+    tolerances.exact = exact;
     EXPECT_TRUE(stands_for(between("99.9999999999999998", "100.0000000000000002"), 100,
-                           std::nullopt, terms));
-    EXPECT_TRUE(stands_for(between("100", "100.0000000000000002"), 100, std::nullopt, terms));
+                           std::nullopt, tolerances));
+    EXPECT_TRUE(stands_for(between("100", "100.0000000000000002"), 100, std::nullopt, tolerances));
     EXPECT_TRUE(stands_for(between("1.2460190981701562", "1.2460190981701563"), kLead, std::nullopt,
-                           terms));
-    EXPECT_FALSE(stands_for(between("100.0001", "100.0001000000000001"), 100, std::nullopt, terms));
-    EXPECT_FALSE(stands_for(between("99.9", "99.9000000000000001"), 100, std::nullopt, terms));
+                           tolerances));
+    EXPECT_FALSE(
+        stands_for(between("100.0001", "100.0001000000000001"), 100, std::nullopt, tolerances));
+    EXPECT_FALSE(stands_for(between("99.9", "99.9000000000000001"), 100, std::nullopt, tolerances));
   }
 }
 
 TEST(Labels, AnEnclosureIsUndecidedOnlyWhereItsWidthDecides) {
-  const Tolerances terms = terms_of("0.001");
+  const Tolerances tolerances = tolerances_of("0.001");
   const Number step = number("0.001");
   const auto told = [&](const char* low, const char* high) {
-    return stands_for(between(low, high), 100, step, terms);
+    return stands_for(between(low, high), 100, step, tolerances);
   };
   EXPECT_TRUE(told("100.0004", "100.0004000000000001"));
   EXPECT_FALSE(told("100.0006", "100.0006000000000001"));
@@ -106,12 +107,12 @@ TEST(Labels, AnEnclosureIsUndecidedOnlyWhereItsWidthDecides) {
 }
 
 TEST(Labels, StartAnglesAWholeTurnApartAreTheSame) {
-  const Tolerances terms = terms_of("0.001");
+  const Tolerances tolerances = tolerances_of("0.001");
   const auto agree_on = [&](const Number& want, const Number& got) {
     Record one, other;
     one.start = want;
     other.start = got;
-    return start_angles_agree(one, other, terms);
+    return start_angles_agree(one, other, tolerances);
   };
   EXPECT_TRUE(agree_on(0, 360));
   EXPECT_TRUE(agree_on(270, -90));

@@ -65,8 +65,8 @@ TEST(LazyForks, EachAlternativeOfAnOpenReadingIsRight) {
     const OwnOutcome own = own_outcome(one.program, follows);
     const reference::Profile open = all_open(one.dialect);
     for (const Forking forking : {Forking::when_different, Forking::when_asked}) {
-      const Tolerances terms = exact_terms(open);
-      JudgeSession session(open, one.program, terms, forking);
+      const Tolerances tolerances = exact_terms(open);
+      JudgeSession session(open, one.program, tolerances, forking);
       for (const Record& record : own.records) session.record(record);
       const SessionVerdict said = session.finish(own.end);
       EXPECT_EQ(decision(said.verdict.kind), Decision::go)

@@ -38,7 +38,7 @@ void fix_lengths(const ProgramJudge& judge, reference::ReadingChoice& choice,
 
 // By the definition.
 SessionVerdict judged_at_once(const Profile& profile, const std::string& program,
-                              const Outcome& outcome, const Tolerances& terms) {
+                              const Outcome& outcome, const Tolerances& tolerances) {
   const Assignments assignments = assignments_of(profile, program);
   SessionVerdict result;
   std::set<ReadingKey> open(assignments.open.begin(), assignments.open.end());
@@ -47,7 +47,7 @@ SessionVerdict judged_at_once(const Profile& profile, const std::string& program
   for (reference::ReadingChoice choice : assignments.choices) {
     Profile assigned = profile;
     assigned.readings = choice;
-    ProgramJudge judge(assigned, program, terms);
+    ProgramJudge judge(assigned, program, tolerances);
     SampledVerdict said{told(judge, outcome), 0};
     said.progress = judge.progress();
     if (decision(said.verdict.kind) == Decision::go) {
@@ -66,8 +66,9 @@ SessionVerdict judged_at_once(const Profile& profile, const std::string& program
 // Whether the reference asks for none of the open readings where it goes on from where the
 // subject's open path ends, which is not where its own would end.
 bool are_passed_by(const std::vector<ReadingKey>& open, const Profile& profile,
-                   const std::string& program, const Outcome& outcome, const Tolerances& terms) {
-  ProgramJudge judge(profile, program, terms);
+                   const std::string& program, const Outcome& outcome,
+                   const Tolerances& tolerances) {
+  ProgramJudge judge(profile, program, tolerances);
   told(judge, outcome);
   return std::ranges::none_of(open, [&](ReadingKey key) { return judge.readings().touched(key); });
 }
@@ -102,16 +103,16 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
       ++too_many;
       return;
     }
-    SessionVerdict whole = judged_at_once(profile, program, of.outcome, of.terms);
+    SessionVerdict whole = judged_at_once(profile, program, of.outcome, of.tolerances);
     if (whole.verdict.kind <= VerdictKind::pass_tolerance &&
-        are_passed_by(whole.open, profile, program, of.outcome, of.terms)) {
+        are_passed_by(whole.open, profile, program, of.outcome, of.tolerances)) {
       whole.open.clear();
       whole.explaining = {profile.readings};
     }
     const std::string where = fmt::format("{}\n{}", reference::profile_json(profile), program);
     for (const SessionVerdict& said :
-         {judged(profile, program, of.outcome, of.terms),
-          judged_by_lines(profile, program, of.outcome, of.terms, known)}) {
+         {judged(profile, program, of.outcome, of.tolerances),
+          judged_by_lines(profile, program, of.outcome, of.tolerances, known)}) {
       ASSERT_EQ(decision(said.verdict.kind), decision(whole.verdict.kind)) << where;
       // For those that departed only the last tells; what makes a difference behind it is not
       // known.
@@ -158,10 +159,10 @@ TEST(OpenReadings, AreSettledBehindAnyNumberOfRecords) {
     const oracle::ReferenceRun run = oracle::run_reference(assigned, program, 20'000);
     const Outcome outcome{run.records, run.end};
     for (const bool skip_equal : {true, false}) {
-      Tolerances terms;
-      terms.compare_blocks = true;
-      terms.skip_equal = skip_equal;
-      const SessionVerdict said = judged(open, program, outcome, terms);
+      Tolerances tolerances;
+      tolerances.compare_blocks = true;
+      tolerances.skip_equal = skip_equal;
+      const SessionVerdict said = judged(open, program, outcome, tolerances);
       EXPECT_EQ(name(said.verdict.kind), "pass-exact") << said.verdict.message;
       EXPECT_EQ(said.open, std::vector<ReadingKey>{key});
       ASSERT_EQ(said.explaining.size(), 1U);

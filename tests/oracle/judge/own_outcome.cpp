@@ -42,8 +42,8 @@ Tolerances exact_terms(const reference::Profile& profile, std::string_view resol
 Verdict judge_own(std::string_view program, const reference::Profile& profile,
                   std::string_view resolution) {
   const OwnOutcome own = own_outcome(program, profile);
-  const Tolerances terms = exact_terms(profile, resolution);
-  return judge_outcome(profile, program, terms, own.records, own.end).verdict;
+  const Tolerances tolerances = exact_terms(profile, resolution);
+  return judge_outcome(profile, program, tolerances, own.records, own.end).verdict;
 }
 
 }  // namespace gonogo::oracle

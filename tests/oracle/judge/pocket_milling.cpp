@@ -30,9 +30,10 @@ Verdict judge_records(std::string_view program, const std::vector<Record>& recor
                       const Judged& judged) {
   SubjectInfo subject;
   if (judged.blocks) subject.features.insert("blocks");
-  const Tolerances terms = make_tolerances(subject, judged.profile, std::nullopt, std::nullopt);
+  const Tolerances tolerances =
+      make_tolerances(subject, judged.profile, std::nullopt, std::nullopt);
   const std::vector<Record> sent = judged.blocks ? records : without_blocks(records);
-  return judge_outcome(judged.profile, program, terms, sent, RunEnd{}).verdict;
+  return judge_outcome(judged.profile, program, tolerances, sent, RunEnd{}).verdict;
 }
 
 std::vector<Record> shown(std::string_view program, const reference::Profile& profile) {

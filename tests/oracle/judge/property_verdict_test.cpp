@@ -57,9 +57,9 @@ TEST(PropertyVerdict, AThreadWhoseCentreIsOffIsNoExactPath) {
   constexpr std::string_view kThread =
       "G0 X70 Z70 Y20\nG18\nG114 X0 Z0 V-20 R-5 I5 J2 K30 E30 P1 Q0.5 D3 F900\nG0 X70\n";
   const reference::Profile profile = profile_of("gsk988ta");
-  const Tolerances terms = exact_terms(profile);
+  const Tolerances tolerances = exact_terms(profile);
   OwnOutcome own = own_outcome(kThread, profile);
-  const Verdict shown = judge_outcome(profile, kThread, terms, own.records, own.end).verdict;
+  const Verdict shown = judge_outcome(profile, kThread, tolerances, own.records, own.end).verdict;
   EXPECT_EQ(shown.kind, VerdictKind::pass_properties) << shown.message;
   EXPECT_GT(shown.property_motions, 0U);
   std::size_t helices = 0;
@@ -69,7 +69,7 @@ TEST(PropertyVerdict, AThreadWhoseCentreIsOffIsNoExactPath) {
     ++helices;
   }
   EXPECT_EQ(helices, 2U);
-  const Verdict off = judge_outcome(profile, kThread, terms, own.records, own.end).verdict;
+  const Verdict off = judge_outcome(profile, kThread, tolerances, own.records, own.end).verdict;
   EXPECT_EQ(off.kind, VerdictKind::pass_properties) << off.message;
   EXPECT_EQ(off.property_motions, shown.property_motions);
 }

@@ -87,8 +87,8 @@ std::string text_of(const Tried& tried, const Outcome& changed) {
   return text;
 }
 
-Verdict judge(const Tried& tried, const Outcome& outcome, const Tolerances& terms) {
-  return judged(tried.of.program.profile, tried.of.program.text, outcome, terms).verdict;
+Verdict judge(const Tried& tried, const Outcome& outcome, const Tolerances& tolerances) {
+  return judged(tried.of.program.profile, tried.of.program.text, outcome, tolerances).verdict;
 }
 
 generate::GeneratorSettings small_and_large() {
@@ -105,8 +105,8 @@ Tried drawn(Of of, generate::Choices& choices) {
                               : generated_outcome(generator, {}, choices),
               VerdictKind::skip};
   RC_PRE(!renames_position(tried.of.program.text));
-  RC_PRE(!is_tiny(tried.of.program, tried.of.terms.tolerance));
-  tried.kind = judge(tried, tried.of.outcome, tried.of.terms).kind;
+  RC_PRE(!is_tiny(tried.of.program, tried.of.tolerances.tolerance));
+  tried.kind = judge(tried, tried.of.outcome, tried.of.tolerances).kind;
   RC_PRE(tried.kind != VerdictKind::skip);
   return tried;
 }
@@ -129,7 +129,7 @@ class Share {
 
 // The decision of the changed outcome is that of the first.
 void expect_same(const Tried& tried, const Outcome& changed, Share& share) {
-  const Verdict verdict = judge(tried, changed, tried.of.terms);
+  const Verdict verdict = judge(tried, changed, tried.of.tolerances);
   const Decision before = decision(tried.kind);
   const Decision after = decision(verdict.kind);
   const bool is_decided = before != Decision::undecided && after != Decision::undecided;
@@ -175,16 +175,17 @@ TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
   EXPECT_TRUE(holds([](generate::Choices& choices, Share& share) {
     const generate::Generator& generator = choices.pick(generate::generators());
     const GeneratedOutcome of = right_outcome(generator, small_and_large(), choices);
-    RC_PRE(!is_tiny(of.program, of.terms.tolerance));
+    RC_PRE(!is_tiny(of.program, of.tolerances.tolerance));
     OwnOutcome own;
     try {
       own = own_outcome(of.program.text, of.program.profile);
     } catch (const std::runtime_error&) {
       RC_DISCARD("not covered");
     }
-    const Tolerances terms = exact_terms(of.program.profile);
+    const Tolerances tolerances = exact_terms(of.program.profile);
     const Verdict verdict =
-        judge_outcome(of.program.profile, of.program.text, terms, own.records, own.end).verdict;
+        judge_outcome(of.program.profile, of.program.text, tolerances, own.records, own.end)
+            .verdict;
     if (is_go(verdict, share)) return;
     RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}\n{}", name(verdict.kind), verdict.message,
                         verdict.want, verdict.got, reference::profile_json(of.program.profile),
@@ -195,7 +196,7 @@ TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
 // J-PROP-01.
 TEST(RelationProperties, MotionsInPiecesAreJudgedAsWholeOnes) {
   const auto in_pieces = [](const Tried& tried, generate::Choices& choices) {
-    return split(tried.of.outcome, start_of(tried), tried.of.terms.tolerance * 2, choices);
+    return split(tried.of.outcome, start_of(tried), tried.of.tolerances.tolerance * 2, choices);
   };
   EXPECT_TRUE(changes_nothing(Of::any, in_pieces));
 }
@@ -229,17 +230,17 @@ TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
       RC_DISCARD("not covered");
     }
     const reference::Profile& profile = of.program.profile;
-    const Tolerances terms = exact_terms(profile, "0.001");
-    RC_PRE(!is_tiny(of.program, terms.tolerance));
+    const Tolerances tolerances = exact_terms(profile, "0.001");
+    RC_PRE(!is_tiny(of.program, tolerances.tolerance));
     const Outcome exact{own.records, own.end};
-    RC_PRE(terms.resolution == terms.tolerance);
+    RC_PRE(tolerances.resolution == tolerances.tolerance);
     Outcome changed;
     try {
-      changed = rounded(exact, profile.initial.at, *terms.resolution);
+      changed = rounded(exact, profile.initial.at, *tolerances.resolution);
     } catch (const exact::Undecided&) {
       RC_DISCARD("half way between two");
     }
-    const Verdict verdict = judged(profile, of.program.text, changed, terms).verdict;
+    const Verdict verdict = judged(profile, of.program.text, changed, tolerances).verdict;
     if (is_go(verdict, share)) return;
     RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}", name(verdict.kind), verdict.message,
                         verdict.want, verdict.got,
@@ -257,10 +258,10 @@ TEST(RelationProperties, ALevelWhoseArcsAreCorrectlyRoundedIsCleared) {
       "G00 X0 Y88.1416 Z75.4187\nG00 X16.9999 W-39.0001\nG00 Z28.0001\n"
       "G111 W15.6028 U-42.0001 V12.0003 I15.1791 L5.0177 Q3.0001 D3.8892 P0.5 F468\n";
   const OwnOutcome own = own_outcome(program, profile);
-  const Tolerances terms = exact_terms(profile, "0.001");
+  const Tolerances tolerances = exact_terms(profile, "0.001");
   const Outcome changed =
       rounded({own.records, own.end}, profile.initial.at, Number::millionths(1'000));
-  const Verdict verdict = judged(profile, program, changed, terms).verdict;
+  const Verdict verdict = judged(profile, program, changed, tolerances).verdict;
   EXPECT_EQ(verdict.kind, VerdictKind::pass_properties) << verdict.message;
 }
 
@@ -269,7 +270,7 @@ TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
   EXPECT_TRUE(holds([](generate::Choices& choices, Share& share) {
     const Tried tried = drawn(Of::any, choices);
     RC_PRE(decision(tried.kind) == Decision::go);
-    Tolerances wider = tried.of.terms;
+    Tolerances wider = tried.of.tolerances;
     wider.tolerance = wider.granted = wider.tolerance * choices.pick({2, 3, 10});
     RC_PRE(!is_tiny(tried.of.program, wider.tolerance));
     const Verdict verdict = judge(tried, tried.of.outcome, wider);
@@ -291,10 +292,10 @@ TEST(RelationProperties, MotionsThatLeadNowhereAndDwellsOfNoTimeChangeNothing) {
 TEST(RelationProperties, LineNumbersThatAreNotDeclaredAreNotLookedAt) {
   EXPECT_TRUE(holds([](generate::Choices& choices, Share& share) {
     Tried tried = drawn(Of::any, choices);
-    tried.of.terms.compare_blocks = false;
-    tried.kind = judge(tried, tried.of.outcome, tried.of.terms).kind;
+    tried.of.tolerances.compare_blocks = false;
+    tried.kind = judge(tried, tried.of.outcome, tried.of.tolerances).kind;
     const Outcome changed = renumbered(tried.of.outcome, choices);
-    const Verdict verdict = judge(tried, changed, tried.of.terms);
+    const Verdict verdict = judge(tried, changed, tried.of.tolerances);
     share.note(decision(verdict.kind) != Decision::undecided);
     if (verdict.kind == tried.kind) return;
     RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}", name(verdict.kind), verdict.message,

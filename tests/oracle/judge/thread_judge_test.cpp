@@ -154,8 +154,9 @@ TEST(ThreadJudge, ThePathThatExpandShowsIsGo) {
       }
       SubjectInfo subject;
       subject.features = {"blocks"};
-      const Tolerances terms = make_tolerances(subject, profile, {}, {});
-      const Verdict verdict = judge_outcome(profile, program, terms, records, RunEnd{}).verdict;
+      const Tolerances tolerances = make_tolerances(subject, profile, {}, {});
+      const Verdict verdict =
+          judge_outcome(profile, program, tolerances, records, RunEnd{}).verdict;
       EXPECT_EQ(decision(verdict.kind), Decision::go)
           << block << reading << verdict.message << "\nwant " << verdict.want << "\ngot "
           << verdict.got << verdict.witness;

@@ -108,12 +108,12 @@ void expect_no_go(Wrong wrong, std::string_view name, long usual) {
     const std::vector<Motion> motions = motions_of(of);
     if (motions.size() < 2) return;  // without any motion an alarm may have come at load
     Outcome spoilt = of.outcome;
-    if (!put_wrong(wrong, motions, chance.below(motions.size()), of.terms.tolerance, spoilt)) {
+    if (!put_wrong(wrong, motions, chance.below(motions.size()), of.tolerances.tolerance, spoilt)) {
       return;
     }
     const auto passes = [&](const Outcome& outcome) {
       const VerdictKind kind =
-          judged(of.program.profile, of.program.text, outcome, of.terms).verdict.kind;
+          judged(of.program.profile, of.program.text, outcome, of.tolerances).verdict.kind;
       return kind != VerdictKind::skip && decision(kind) == Decision::go;
     };
     if (!passes(of.outcome)) return;

@@ -15,7 +15,11 @@ namespace gonogo::mutations {
 // A trace in change, with the tolerances and the profile under which it will be judged.
 struct Attempt {
   Attempt(const Specimen& of, Chance& drawn)
-      : specimen(of), chance(drawn), trace(of.right), terms(of.terms), profile(of.profile) {}
+      : specimen(of),
+        chance(drawn),
+        trace(of.right),
+        tolerances(of.tolerances),
+        profile(of.profile) {}
 
   // Where each record of the trace as it now is starts.
   std::vector<reference::Position> starts() const;
@@ -26,7 +30,7 @@ struct Attempt {
   const Specimen& specimen;
   Chance& chance;
   Trace trace;
-  oracle::Tolerances terms;
+  oracle::Tolerances tolerances;
   reference::Profile profile;
 };
 

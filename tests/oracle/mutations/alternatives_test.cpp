@@ -43,7 +43,7 @@ bool hangs_on_rounding(const Stroke& stroke, double tolerance) {
 
 // J-PROP-07: what no alternative is held against.
 bool is_outside(const Attempt& attempt) {
-  const double tolerance = value_of(attempt.terms.tolerance);
+  const double tolerance = value_of(attempt.tolerances.tolerance);
   const std::vector<Stroke> strokes = attempt.specimen.strokes(attempt.specimen.right);
   return std::ranges::any_of(strokes, [&](const Stroke& stroke) {
     const bool is_far = std::ranges::any_of(std::array<std::size_t, 3>{0, 1, 2}, [&](auto axis) {
@@ -127,7 +127,7 @@ class Alternatives {
   void judge(std::string_view name, const Attempt& attempt, std::string what = {}) {
     if (is_outside(attempt)) return;
     const oracle::Verdict verdict =
-        judge_outcome(attempt.profile, attempt.specimen.program, attempt.terms,
+        judge_outcome(attempt.profile, attempt.specimen.program, attempt.tolerances,
                       attempt.trace.records, attempt.trace.end)
             .verdict;
     if (is_untold_thread(name, attempt.specimen, verdict)) return;
@@ -176,7 +176,7 @@ TEST(Alternatives, NoneThatIsRightIsRejected) {
       const RawCase& raw = chance.one_of(raws);
       const auto specimen = make_specimen(raw, chance.one_of(raw.assignments), kMostRecords);
       if (specimen == nullptr) continue;
-      const auto verdict = judge_outcome(specimen->profile, specimen->program, specimen->terms,
+      const auto verdict = judge_outcome(specimen->profile, specimen->program, specimen->tolerances,
                                          specimen->right.records, specimen->right.end);
       if (decision(verdict.verdict.kind) != Decision::go) continue;
       alternatives.try_all(*specimen);

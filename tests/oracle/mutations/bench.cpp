@@ -20,7 +20,8 @@ namespace {
 constexpr std::size_t kPrinted = 40;
 
 Verdict judge(const Specimen& specimen, const Trace& trace) {
-  return judge_outcome(specimen.profile, specimen.program, specimen.terms, trace.records, trace.end)
+  return judge_outcome(specimen.profile, specimen.program, specimen.tolerances, trace.records,
+                       trace.end)
       .verdict;
 }
 
@@ -30,11 +31,12 @@ bool is_told_by_its_motions(const Specimen& specimen) {
 }
 
 Verdict judge_without_blocks(const Specimen& specimen, Trace trace) {
-  oracle::Tolerances terms = specimen.terms;
-  terms.compare_blocks = false;
+  oracle::Tolerances tolerances = specimen.tolerances;
+  tolerances.compare_blocks = false;
   for (Record& record : trace.records) record.block = 0;
   trace.end.alarm.block = 0;
-  return judge_outcome(specimen.profile, specimen.program, terms, trace.records, trace.end).verdict;
+  return judge_outcome(specimen.profile, specimen.program, tolerances, trace.records, trace.end)
+      .verdict;
 }
 
 std::string verdict_text(const Verdict& verdict) {
@@ -43,9 +45,10 @@ std::string verdict_text(const Verdict& verdict) {
 
 std::string rule_of_definition(const Specimen& specimen, const Trace& mutant) {
   const bool alarms = mutant.end.kind == oracle::RunEnd::Kind::alarm;
-  const relation::Answer answer = relation::decide(
-      specimen.profile, specimen.program, relation::terms_of(specimen.terms, specimen.profile),
-      {mutant.records, alarms ? &mutant.end.alarm : nullptr});
+  const relation::Answer answer =
+      relation::decide(specimen.profile, specimen.program,
+                       relation::tolerances_of(specimen.tolerances, specimen.profile),
+                       {mutant.records, alarms ? &mutant.end.alarm : nullptr});
   return fmt::format("{} {}", name(answer.rule), name(answer.kind));
 }
 

@@ -78,7 +78,8 @@ void Edit::erase(std::size_t number) {
 
 Number Edit::times_tolerance(double factor) const {
   constexpr double kHundredths = 100;
-  return specimen.terms.tolerance * Number(static_cast<std::int64_t>(factor * kHundredths)) / 100;
+  return specimen.tolerances.tolerance * Number(static_cast<std::int64_t>(factor * kHundredths)) /
+         100;
 }
 
 Number Edit::off() {

@@ -152,7 +152,7 @@ bool level_with_a_smaller_step(Attempt& attempt) {
   if (!part) return false;
   reference::PocketLevel level = std::get<reference::PocketLevel>(*part->item);
   const Number reach = level.pocket_radius - level.tool_radius;
-  if (reach <= attempt.terms.tolerance * 64) return false;
+  if (reach <= attempt.tolerances.tolerance * 64) return false;
   level.step = level.step * Number(3) / 4;
   if ((reach / level.step).ceil() > Number(100)) return false;
   std::vector<Record> records;
@@ -186,7 +186,7 @@ Record level_motion(const reference::PocketLevel& level, RecordKind kind, const 
 std::optional<Number> rings_of(const Attempt& attempt, const reference::PocketLevel& level) {
   const Number reach = level.pocket_radius - level.tool_radius;
   const Number rings = (reach / level.step).ceil();
-  if (reach <= attempt.terms.tolerance * 64 || rings > Number(100)) return std::nullopt;
+  if (reach <= attempt.tolerances.tolerance * 64 || rings > Number(100)) return std::nullopt;
   return rings;
 }
 

@@ -200,7 +200,7 @@ std::unique_ptr<Specimen> make_specimen(const RawCase& raw, const RawCase::Assig
   subject.features = {"blocks", "m"};
   subject.numeric_kind = "exact";
   subject.says_numeric = true;
-  specimen->terms = make_tolerances(subject, specimen->profile, std::nullopt, std::nullopt);
+  specimen->tolerances = make_tolerances(subject, specimen->profile, std::nullopt, std::nullopt);
   specimen->start = place_of(specimen->profile.initial.at);
   if (!take_shown(*specimen, most)) return nullptr;
   find_open_parts(*specimen);

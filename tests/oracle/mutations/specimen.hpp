@@ -30,7 +30,7 @@ struct Specimen {
   std::string group;  // dialect and cycle
   std::string program;
   reference::Profile profile;
-  oracle::Tolerances terms;
+  oracle::Tolerances tolerances;
   Trace right;
   std::vector<reference::Position> before;        // where each record starts, every axis
   std::vector<reference::Position> after;         // and ends
@@ -43,7 +43,7 @@ struct Specimen {
   Place start{};
   std::vector<PathElement> path;
 
-  double tolerance() const { return value_of(terms.tolerance); }
+  double tolerance() const { return value_of(tolerances.tolerance); }
   std::vector<Stroke> strokes(const Trace& trace) const;
 };
 

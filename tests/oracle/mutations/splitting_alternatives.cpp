@@ -175,7 +175,7 @@ bool arcs_through_a_point(Attempt& attempt) {
 bool chords_of_arcs(Attempt& attempt) {
   constexpr std::int64_t kChordMillionths = 10'000;
   constexpr double kChord = 0.009;  // a little less than is granted, mm
-  attempt.terms.chord = Number::millionths(kChordMillionths);
+  attempt.tolerances.chord = Number::millionths(kChordMillionths);
   const double tolerance = attempt.specimen.tolerance();
   return attempt.replace([&](const Record& record, const Position& from) {
     std::vector<Record> made;

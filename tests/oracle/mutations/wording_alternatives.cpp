@@ -26,7 +26,7 @@ Number rounded(const Number& value, const Number& step) {
 }
 
 bool in_steps(Attempt& attempt, const Number& step) {
-  attempt.terms.resolution = step;
+  attempt.tolerances.resolution = step;
   for (Record& record : attempt.trace.records) {
     each_length(record, [&](const Number& value) { return rounded(value, step); });
   }
@@ -39,7 +39,7 @@ bool rounded_to_the_resolution(Attempt& attempt) {
 
 bool rounded_ten_times_finer(Attempt& attempt) {
   const Number step = attempt.specimen.profile.resolution() / 10;
-  attempt.terms.tolerance = min(attempt.terms.tolerance, step);
+  attempt.tolerances.tolerance = min(attempt.tolerances.tolerance, step);
   return in_steps(attempt, step);
 }
 
@@ -52,7 +52,7 @@ Number as_double(const Number& value) {
 }
 
 bool as_doubles(Attempt& attempt) {
-  attempt.terms.binary64 = true;
+  attempt.tolerances.binary64 = true;
   for (Record& record : attempt.trace.records) {
     each_length(record, as_double);
     record.feed = as_double(record.feed);
@@ -83,7 +83,7 @@ bool as_enclosures(Attempt& attempt) {
 
 bool rounded_feeds(Attempt& attempt) {
   const Number step = Number::millionths(1'000);
-  attempt.terms.feed_resolution = step;
+  attempt.tolerances.feed_resolution = step;
   for (Record& record : attempt.trace.records) record.feed = rounded(record.feed, step);
   return true;
 }
@@ -158,20 +158,20 @@ bool ends_by_its_block(const reference::Item& item) {
 bool no_blocks(Attempt& attempt) {
   if (!attempt.specimen.renamings.empty()) return false;
   if (std::ranges::any_of(attempt.specimen.items, ends_by_its_block)) return false;
-  attempt.terms.compare_blocks = false;
+  attempt.tolerances.compare_blocks = false;
   for (Record& record : attempt.trace.records) record.block = 0;
   attempt.trace.end.alarm.block = 0;
   return true;
 }
 
 bool no_m(Attempt& attempt) {
-  attempt.terms.compare_m = false;
+  attempt.tolerances.compare_m = false;
   return std::erase_if(attempt.trace.records,
                        [](const Record& record) { return record.kind == RecordKind::m; }) > 0;
 }
 
 bool other_m(Attempt& attempt) {
-  attempt.terms.compare_m = false;
+  attempt.tolerances.compare_m = false;
   Record record;
   record.kind = RecordKind::m;
   record.m = 77;
@@ -221,7 +221,8 @@ std::vector<std::size_t> other_places(const std::vector<Record>& records, std::s
 
 // Before the motions of its block, behind them, or between them.
 bool m_elsewhere_in_its_block(Attempt& attempt) {
-  if (!attempt.terms.compare_blocks) return false;  // the records do not say which block is its own
+  if (!attempt.tolerances.compare_blocks)
+    return false;  // the records do not say which block is its own
   std::vector<Record>& records = attempt.trace.records;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const Record& record = records[i];
@@ -264,8 +265,8 @@ bool alarm_in_its_block_though_at_load_is_allowed(Attempt& attempt) {
 }
 
 bool looser_tolerance(Attempt& attempt) {
-  attempt.terms.granted = attempt.terms.tolerance * 3;
-  attempt.terms.tolerance = attempt.terms.granted;
+  attempt.tolerances.granted = attempt.tolerances.tolerance * 3;
+  attempt.tolerances.tolerance = attempt.tolerances.granted;
   return true;
 }
 

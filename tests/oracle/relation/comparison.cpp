@@ -33,10 +33,10 @@ std::string_view word(VerdictKind kind) {
 // as tau; where it is wider, with twice tau.
 bool is_at_limit(const Task& task, const Trace& trace, const Answer& answer,
                  const oracle::Verdict& verdict) {
-  Tolerances terms = terms_of(task.terms, task.profile);
+  Tolerances tolerances = tolerances_of(task.tolerances, task.profile);
   const bool passes = decision(answer.kind) == oracle::Decision::go;
-  terms.tolerance = passes ? terms.tolerance * 8 / 17 : terms.tolerance * 2;
-  const Answer other = decide(task.profile, task.program, terms, trace.outcome());
+  tolerances.tolerance = passes ? tolerances.tolerance * 8 / 17 : tolerances.tolerance * 2;
+  const Answer other = decide(task.profile, task.program, tolerances, trace.outcome());
   return passes ? decision(other.kind) != oracle::Decision::go
                 : decision(other.kind) == decision(verdict.kind);
 }
@@ -56,11 +56,11 @@ void Comparison::compare(const Task& task, std::string_view change,
                          std::span<const reference::Record> records, const oracle::RunEnd& end) {
   const Trace trace{{records.begin(), records.end()}, end};
   const auto begin = std::chrono::steady_clock::now();
-  const Answer answer =
-      decide(task.profile, task.program, terms_of(task.terms, task.profile), trace.outcome());
+  const Answer answer = decide(task.profile, task.program,
+                               tolerances_of(task.tolerances, task.profile), trace.outcome());
   const auto decided = std::chrono::steady_clock::now();
   const oracle::Verdict verdict =
-      judge_outcome(task.profile, task.program, task.terms, trace.records, trace.end).verdict;
+      judge_outcome(task.profile, task.program, task.tolerances, trace.records, trace.end).verdict;
   ++traces_;
   ++said_[fmt::format("{} {} / {}", word(answer.kind), name(answer.gap), word(verdict.kind))];
   using namespace std::chrono_literals;
@@ -94,9 +94,9 @@ void Comparison::print_difference(const Task& task, std::string_view kind, const
                                   const oracle::Verdict& verdict, const Trace& trace) const {
   fmt::print(
       "{}\n  {} blocks {} m {}\n  {}\n  want {}\n  got {} (record {})\n  judge: {}\n{}\n{}\n{}\n",
-      kind, task.id, task.terms.compare_blocks, task.terms.compare_m, answer.message, answer.want,
-      answer.got, answer.record ? static_cast<long>(*answer.record) : -1L, verdict.message,
-      profile_json(task.profile), task.program,
+      kind, task.id, task.tolerances.compare_blocks, task.tolerances.compare_m, answer.message,
+      answer.want, answer.got, answer.record ? static_cast<long>(*answer.record) : -1L,
+      verdict.message, profile_json(task.profile), task.program,
       trace.records.size() > kMostPrinted ? "" : relation::text_of(trace));
   std::fflush(stdout);
 }
@@ -119,7 +119,7 @@ long Comparison::differences() const {
   return sum;
 }
 
-oracle::Tolerances terms_for(const reference::Profile& profile, bool blocks, bool m) {
+oracle::Tolerances tolerances_for(const reference::Profile& profile, bool blocks, bool m) {
   oracle::SubjectInfo subject;
   if (blocks) subject.features.insert("blocks");
   if (m) subject.features.insert("m");

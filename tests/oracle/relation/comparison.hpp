@@ -16,7 +16,7 @@ struct Task {
   std::string_view id;
   std::string_view program;
   const reference::Profile& profile;
-  const oracle::Tolerances& terms;
+  const oracle::Tolerances& tolerances;
 };
 
 class Comparison {
@@ -42,6 +42,6 @@ class Comparison {
 };
 
 // A subject that declares lines or M functions, or neither.
-oracle::Tolerances terms_for(const reference::Profile& profile, bool blocks, bool m);
+oracle::Tolerances tolerances_for(const reference::Profile& profile, bool blocks, bool m);
 
 }  // namespace gonogo::relation

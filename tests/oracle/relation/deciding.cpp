@@ -40,17 +40,17 @@ std::string text_of(const Trace& trace) {
   return text;
 }
 
-Tolerances terms_of(const oracle::Tolerances& terms, const reference::Profile& profile) {
+Tolerances tolerances_of(const oracle::Tolerances& tolerances, const reference::Profile& profile) {
   Tolerances same;
-  same.tolerance = terms.tolerance;
+  same.tolerance = tolerances.tolerance;
   same.increment = profile.resolution();
-  same.chord = terms.chord;
-  same.resolution = terms.resolution;
-  same.feed_resolution = terms.feed_resolution;
-  same.binary64 = terms.binary64;
-  same.compare_blocks = terms.compare_blocks;
-  same.compare_m = terms.compare_m;
-  same.strict = terms.strict;
+  same.chord = tolerances.chord;
+  same.resolution = tolerances.resolution;
+  same.feed_resolution = tolerances.feed_resolution;
+  same.binary64 = tolerances.binary64;
+  same.compare_blocks = tolerances.compare_blocks;
+  same.compare_m = tolerances.compare_m;
+  same.strict = tolerances.strict;
   return same;
 }
 
@@ -84,10 +84,10 @@ Answer decide(std::string_view program, std::string_view trace, const Declared& 
   oracle::Grants grants;
   grants.chord = number_of(declared.chord);
   grants.strict = declared.strict;
-  Tolerances terms = terms_of(make_tolerances(subject, profile, grants), profile);
-  terms.exact = declared.exact;
+  Tolerances tolerances = tolerances_of(make_tolerances(subject, profile, grants), profile);
+  tolerances.exact = declared.exact;
   const Trace read = trace_of(trace);
-  return decide(profile, program, terms, read.outcome());
+  return decide(profile, program, tolerances, read.outcome());
 }
 
 }  // namespace gonogo::relation

@@ -23,7 +23,7 @@ Trace trace_of(std::string_view lines);
 std::string text_of(const Trace& trace);
 
 // The judge's tolerances as those of the definition.
-Tolerances terms_of(const oracle::Tolerances& terms, const reference::Profile& profile);
+Tolerances tolerances_of(const oracle::Tolerances& tolerances, const reference::Profile& profile);
 
 // What the subject declares and the certifier grants.
 struct Declared {

@@ -75,8 +75,8 @@ std::vector<Specimen> specimens() {
 }
 
 void compare(Comparison& comparison, const Specimen& specimen, std::string_view change,
-             const oracle::Tolerances& terms, const Trace& trace) {
-  comparison.compare({specimen.id, specimen.program, specimen.profile, terms}, change,
+             const oracle::Tolerances& tolerances, const Trace& trace) {
+  comparison.compare({specimen.id, specimen.program, specimen.profile, tolerances}, change,
                      trace.records, trace.end);
 }
 
@@ -86,7 +86,7 @@ TEST(DefinitionSweep, WhatTheCorpusExpectsIsRight) {
   const auto wanted = static_cast<std::size_t>(trial_count(2'500));
   const std::size_t step = std::max<std::size_t>(1, all.size() / wanted);
   for (std::size_t i = 0; i < all.size(); i += step) {
-    compare(comparison, all[i], "right", terms_for(all[i].profile, true, true), all[i].right);
+    compare(comparison, all[i], "right", tolerances_for(all[i].profile, true, true), all[i].right);
   }
   comparison.print();
   EXPECT_EQ(comparison.differences(), 0);
@@ -100,11 +100,11 @@ TEST(DefinitionSweep, TheJudgeSaysTheSameOfChangedTraces) {
   for (long done = 0; done < wanted;) {
     const Specimen& specimen = chance.one_of(all);
     const Change& change = chance.one_of(changes());
-    const oracle::Tolerances terms =
-        terms_for(specimen.profile, !chance.once_in(4), !chance.once_in(8));
+    const oracle::Tolerances tolerances =
+        tolerances_for(specimen.profile, !chance.once_in(4), !chance.once_in(8));
     Trace trace = specimen.right;
-    if (!change.apply(trace.records, terms.tolerance, chance)) continue;
-    compare(comparison, specimen, change.name, terms, trace);
+    if (!change.apply(trace.records, tolerances.tolerance, chance)) continue;
+    compare(comparison, specimen, change.name, tolerances, trace);
     ++done;
   }
   comparison.print();

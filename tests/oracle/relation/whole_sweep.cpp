@@ -95,8 +95,8 @@ TEST(WholeSweep, WhatTheCorpusExpects) {
   Comparison comparison;
   each_expectation([&](const oracle::Case& test, const reference::Profile& profile,
                        const std::vector<Record>& records, const oracle::RunEnd& end) {
-    const oracle::Tolerances terms = terms_for(profile, true, true);
-    comparison.compare({test.id, test.program, profile, terms}, "right", records, end);
+    const oracle::Tolerances tolerances = tolerances_for(profile, true, true);
+    comparison.compare({test.id, test.program, profile, tolerances}, "right", records, end);
     print_now_and_then(comparison);
   });
   comparison.print();
@@ -113,10 +113,11 @@ TEST(WholeSweep, WhatTheCorpusExpectsChanged) {
                          const std::vector<Record>& records, const oracle::RunEnd& end) {
       if (comparison.traces() >= wanted || !chance.once_in(4)) return;
       const Change& change = chance.one_of(changes());
-      const oracle::Tolerances terms = terms_for(profile, !chance.once_in(4), !chance.once_in(8));
+      const oracle::Tolerances tolerances =
+          tolerances_for(profile, !chance.once_in(4), !chance.once_in(8));
       std::vector<Record> changed = records;
-      if (!change.apply(changed, terms.tolerance, chance)) return;
-      comparison.compare({test.id, test.program, profile, terms}, change.name, changed, end);
+      if (!change.apply(changed, tolerances.tolerance, chance)) return;
+      comparison.compare({test.id, test.program, profile, tolerances}, change.name, changed, end);
       print_now_and_then(comparison);
     });
   }
@@ -141,8 +142,9 @@ TEST(WholeSweep, Mutants) {
       for (const mutations::Operator& change : operators) {
         mutations::Edit edit(*specimen, chance);
         if (!change.apply(edit)) continue;
-        comparison.compare({specimen->id, specimen->program, specimen->profile, specimen->terms},
-                           change.name, edit.trace.records, edit.trace.end);
+        comparison.compare(
+            {specimen->id, specimen->program, specimen->profile, specimen->tolerances}, change.name,
+            edit.trace.records, edit.trace.end);
         print_now_and_then(comparison);
       }
     }
@@ -166,9 +168,9 @@ void try_fault(const gonogo_subject_v1& table, std::string_view fault, const ora
     return records.size() < kMostRecords;
   });
   if (!is_answer(end) || !is_short(records, test.profile)) return;
-  const oracle::Tolerances terms =
+  const oracle::Tolerances tolerances =
       make_tolerances(subject->info(), test.profile, std::nullopt, std::nullopt);
-  comparison.compare({test.id, test.program, test.profile, terms}, fault, records, end);
+  comparison.compare({test.id, test.program, test.profile, tolerances}, fault, records, end);
   print_now_and_then(comparison);
 }
 
@@ -205,8 +207,9 @@ TEST(WholeSweep, Generated) {
       const auto made = oracle::generated_outcome(generator, {}, chance.choices());
       if (!is_answer(made.outcome.end) || !is_short(made.outcome.records, made.program.profile))
         continue;
-      comparison.compare({generator.dialect, made.program.text, made.program.profile, made.terms},
-                         "generated", made.outcome.records, made.outcome.end);
+      comparison.compare(
+          {generator.dialect, made.program.text, made.program.profile, made.tolerances},
+          "generated", made.outcome.records, made.outcome.end);
       print_now_and_then(comparison);
     }
   }

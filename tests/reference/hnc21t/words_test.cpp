@@ -55,7 +55,7 @@ TEST(HncWords, TheMacroLanguageIsNotCovered) {
   EXPECT_EQ(ending_of("Z1\nWHILE #1 LT 5"), "not-covered b2 control-statement");
 }
 
-TEST(HncWords, CodesWithoutEffectArePassedOver) {
+TEST(HncWords, CodesWithoutEffectAreIgnored) {
   for (const std::string& code : codes_without_effect(*find_dialect("hnc21t")->descriptor)) {
     if (code.size() == 1) continue;
     EXPECT_EQ(path("G00 X2 " + std::string(code)), Lines{"rapid x1"}) << code;

@@ -9,7 +9,7 @@
 namespace gonogo::reference::testing::ngc {
 namespace {
 
-TEST(NgcCodes, ThoseWithoutEffectArePassedOver) {
+TEST(NgcCodes, ThoseWithoutEffectAreIgnored) {
   EXPECT_EQ(path("G8 G40 G49 G54 G64 G94 G97 G98\nG99\nG61\nG61.1\nT1 M6\nS500\nG0 X1"),
             Lines{"rapid x1"});
 }

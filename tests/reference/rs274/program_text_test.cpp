@@ -111,7 +111,7 @@ TEST(NgcWords, ThoseOfMFunctionsAreUsed) {
   }
 }
 
-TEST(NgcWords, OneThatNothingUsesMayBePassedOver) {
+TEST(NgcWords, OneThatNothingUsesMayBeIgnored) {
   const Profile ignored = ngc({{"ngc.unused-words", "ignored"}});
   EXPECT_EQ(path("G0 X1 I2\nR5\nP2", ignored), Lines{"rapid x1"});
   EXPECT_EQ(ending_of("X1 I2", ignored), "alarm b1 missing-word");

@@ -11,7 +11,7 @@
 namespace gonogo::reference::testing::sie {
 namespace {
 
-TEST(SieCodes, CodesWithoutEffectArePassedOver) {
+TEST(SieCodes, CodesWithoutEffectAreIgnored) {
   EXPECT_EQ(
       path("G9 G40 G53 G54 G60 G500 X1\nG55\nG56\nG57\nG64 G601\nG602 T1 D1 H5=12 S9 M6 X2 G0")
           .size(),
@@ -85,7 +85,7 @@ TEST(SieCodes, TwoCodesOfAGroupAreAnAlarm) {
   EXPECT_EQ(clauses("G0 G1"), Lines{"SIE-MOD-05"});
 }
 
-TEST(SieCodes, NamesThatArePassedOverAreWarnedOf) {
+TEST(SieCodes, NamesThatAreIgnoredAreWarnedOf) {
   const std::string program = "MSG(\"X5\") G0 X1\nSTOPRE\nLIMS=500 SOFT";
   const Profile profile = sie();
   grammar::MemorySource bytes(program);

@@ -54,7 +54,7 @@ TEST(SieExpression, WhatHasNoValueIsAnAlarm) {
 }
 
 // SIE-MOD-02: what is ignored is a word with a value all the same.
-TEST(SieExpression, WhatIsPassedOverHasAValueToo) {
+TEST(SieExpression, WhatIsIgnoredHasAValueToo) {
   EXPECT_EQ(outcome("SPOS=SQRT(-1)"), "value-out-of-range SPOS");
   EXPECT_EQ(outcome("G0 LIMS=1/0"), "value-out-of-range LIMS");
   EXPECT_EQ(outcome("G0 X1 FFWON=TAN(90)"), "value-out-of-range FFWON");

@@ -100,7 +100,7 @@ bool is_left_to_other_vectors(const reference::Code& code, const reference::Code
   const bool is_polar = word.role == Role::polar_angle || word.role == Role::polar_radius;
   if (is_polar && code.kind == Kind::circle) return true;
   // The values that are read change nothing: a run-out or an angle of 0, one start.
-  const bool is_trivial = std::ranges::any_of(code.passed, [&](const reference::PassedOver& rule) {
+  const bool is_trivial = std::ranges::any_of(code.passed, [&](const reference::IgnoredWords& rule) {
     return rule.when.starts_with("of ") && rule.words.find(word.address) != std::string_view::npos;
   });
   // GSK-G92-07, GSK-G92-13: a run-out of 0 alone, and no thread to the inch.
