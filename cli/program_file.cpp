@@ -114,13 +114,13 @@ void ProgramFile::keep() {
 void ProgramFile::add_called_files(const std::string& dialect) {
   if (size_ > static_cast<long long>(kMostWithCalls)) return;
   grammar::FileSource alone(descriptor_);
-  std::string program = text_of(alone, name_);
+  std::string program = read_all(alone, name_);
   if (!cli::add_called_files(dialect, name_, program)) return;
   grammar::MemorySource whole(program);
   read_copy_of(whole);
 }
 
-std::string text_of(grammar::ByteSource& bytes, const std::string& name, std::size_t limit) {
+std::string read_all(grammar::ByteSource& bytes, const std::string& name, std::size_t limit) {
   std::string text;
   std::array<char, 1 << 16> chunk;
   while (std::size_t count = bytes.read(chunk.data(), chunk.size())) {
@@ -133,7 +133,7 @@ std::string text_of(grammar::ByteSource& bytes, const std::string& name, std::si
 
 std::string read_file(const std::string& path, const char* kind, std::size_t limit) {
   ProgramFile file(path, kind);
-  return text_of(file.bytes(), path, limit);
+  return read_all(file.bytes(), path, limit);
 }
 
 namespace {

@@ -75,8 +75,8 @@ class StoredFile {
 
 inline constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 // All of `bytes`. Throws UsageError, with the name, where there are more than `limit`.
-std::string text_of(grammar::ByteSource& bytes, const std::string& name,
-                    std::size_t limit = kMostBytes);
+std::string read_all(grammar::ByteSource& bytes, const std::string& name,
+                     std::size_t limit = kMostBytes);
 std::string read_file(const std::string& path, const char* kind = kNcProgram,
                       std::size_t limit = kMostBytes);
 

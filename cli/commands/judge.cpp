@@ -11,6 +11,7 @@
 #include "cli/judged_sheet.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/program_file.hpp"
 #include "cli/recorded_trace.hpp"
 #include "cli/sandbox_options.hpp"
 #include "cli/subject_files.hpp"
@@ -134,7 +135,7 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
   const oracle::RunEnd end = end_of(seen, options);
   const bool alarms = end.kind == oracle::RunEnd::Kind::alarm;
   const relation::Answer answer =
-      relation::decide(profile, text_of(*program.open(), options.program), tolerances,
+      relation::decide(profile, read_all(*program.open(), options.program), tolerances,
                        {records, alarms ? &end.alarm : nullptr});
   Output output;
   output.text() = answer_text(answer) + not_compared_text(seen.features);
@@ -233,7 +234,7 @@ int judge(const JudgeOptions& options) {
   TraceFeatures features;
   const oracle::SessionVerdict session = judge_trace(options, profile, text, trace, features);
   if (!options.sheet.empty()) {
-    draw(options, profile, text_of(*text.open(), options.program), session.verdict,
+    draw(options, profile, read_all(*text.open(), options.program), session.verdict,
          drawn_records(trace));
   }
   Output output;

@@ -7,10 +7,6 @@
 
 namespace gonogo::oracle::region {
 
-inline bool operator==(const RoundedRectangle& a, const RoundedRectangle& b) {
-  return a.core_p == b.core_p && a.core_q == b.core_q && a.radius == b.radius;
-}
-
 // 0 in the core.
 Number squared_distance_to_core(const RoundedRectangle& shape, const PlanePoint& point);
 inline bool contains(const RoundedRectangle& shape, const PlanePoint& point) {
