@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The thread judge on the manual's own examples.
+#include <algorithm>
 #include <functional>
 
 #include "milled_thread.hpp"
+#include "own_outcome.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -28,6 +30,26 @@ TEST(ThreadJudge, ThePolarRunOutMayBeStraightWhereItKeepsOffThePass) {
   thread = Thread{};
   thread.run_out = Thread::RunOut::line;
   expect_no_go(thread, "GSK-G114-10", "deeper than its pass");
+}
+
+// Of the last pass of gsk.g116.000029. From (0, 6.5) off the axis the way along p to 5.5 leads
+// through the wall, 7 off it, as it does on the named path alone.
+TEST(ThreadJudge, InABoreTheRunOutOfTheNamedPathTurnsWithTheHelix) {
+  constexpr std::string_view kProgram =
+      "G17 G00 X8 Y6 Z20\nG117 X15.5 V-11 W-4.5 R-3 I1.5 J1.5 K90 E20 P1 Q0.4 D3 F300\n";
+  reference::Profile profile = profile_of("gsk988ta");
+  profile.x_diameter = false;
+  OwnOutcome own = own_outcome(kProgram, profile);
+  const auto judged = [&] {
+    return decision(
+        judge_outcome(profile, kProgram, exact_terms(profile), own.records, own.end).verdict.kind);
+  };
+  EXPECT_EQ(judged(), Decision::go);
+  const auto last =
+      std::ranges::find(own.records.rbegin(), own.records.rend(), RecordKind::arc, &Record::kind);
+  ASSERT_NE(last, own.records.rend());
+  last->rot = -last->rot;
+  EXPECT_EQ(judged(), Decision::no_go);
 }
 
 TEST(ThreadJudge, ARadialRunOutThatClearsTheThreadIsGo) {
