@@ -26,11 +26,11 @@ struct Apart {
 
 // How far pieces have come along a curve.
 struct CurveProgress {
-  Number line;                       // along the axis that moves most
-  double arc = 0;                    // turns, to choose between whole turns only
-  const char* undecided_because =
-      nullptr;                       // a sentence: why it is open whether a piece belongs to it
-  GapReason gap = GapReason::none;   // why
+  Number line;     // along the axis that moves most
+  double arc = 0;  // turns, to choose between whole turns only
+  // A sentence: why it is open whether a piece belongs to the curve. Null: it is not open.
+  const char* undecided_because = nullptr;
+  GapReason gap = GapReason::none;   // the kind of that openness
   std::optional<Position> traverse;  // the nearest to its end so far, axis by axis
 };
 
