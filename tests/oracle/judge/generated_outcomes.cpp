@@ -53,7 +53,9 @@ SessionVerdict judged_by_lines(const reference::Profile& profile, const std::str
 
 namespace {
 
-constexpr std::size_t kMostRecords = 5'000;
+// Fewer than kMostParts: behind that many the judge looks through the whole program, which of a pocket of a million
+// levels takes a quarter of a minute. OpenReadings.AreSettledBehindAnyNumberOfRecords tries it.
+constexpr std::size_t kMostRecords = 4'000;
 
 Outcome run(const gonogo_subject_v1& table, const reference::Profile& profile,
             const std::string& program) {
