@@ -159,4 +159,18 @@ bool LineSource::next(Line& line) {
   return true;
 }
 
+std::string without_comments(Dialect dialect, std::string_view line) {
+  std::string text(line);
+  char end = 0;  // of what is left out
+  for (char& c : text) {
+    if (end == 0 && c == ';') end = '\n';
+    if (end == 0 && c == '(' && dialect != Dialect::sinumerik) end = ')';
+    if (end == 0 && c == '<' && dialect == Dialect::rs274) end = '>';
+    const bool is_last = c == end;
+    if (end != 0) c = ' ';
+    if (is_last) end = 0;
+  }
+  return text;
+}
+
 }  // namespace gonogo::grammar

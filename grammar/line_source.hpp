@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "grammar/ast.hpp"
+
 namespace gonogo::grammar {
 
 inline constexpr std::size_t kMaximumLine = std::size_t{1} << 20;
@@ -77,5 +79,9 @@ class LineSource {
   bool cr_is_blank_ = false;
   bool has_lone_cr_ = false;
 };
+
+// The line with blanks for its comments, and in rs274 for the names of parameters, also where it
+// cannot be parsed.
+std::string without_comments(Dialect dialect, std::string_view line);
 
 }  // namespace gonogo::grammar

@@ -73,6 +73,10 @@ Expander::Expander(const Profile& profile, grammar::LineSource& lines, OpenPaths
 
 Expander::~Expander() = default;
 
+std::string Expander::failed_words() const {
+  return grammar::without_comments(dialect_.grammar, line_.text);
+}
+
 const Item* Expander::finish(Item item) {
   ended_ = true;
   last_ = std::move(item);

@@ -157,6 +157,8 @@ class Expander {
   }
   // After a syntax alarm: the text of its line, for a diagnostic.
   std::string_view failed_line() const { return line_.text; }
+  // The same without its comments.
+  std::string failed_words() const;
 
  private:
   const Item* finish(Item item);

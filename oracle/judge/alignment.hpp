@@ -167,6 +167,7 @@ class Alignment {
   bool leads_outside(const Hypothesis& from, const Motion& motion);
   bool leads_over_m_function(const Hypothesis& from, const Motion& motion);
   bool leads_into_open_step(const Hypothesis& from, const Motion& motion, Stage& stage);
+  bool leads_past_corner(const Hypothesis& from, const Motion& motion, Stage& stage);
   bool takes_coarse_centre(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
                            Stage& stage);
   void meet_open_step(Hypothesis from, Motion motion, Stage& stage);

@@ -174,7 +174,7 @@ bool Alignment::is_within(const Hypothesis& from, const DueMFunction& due) {
   const bool is_at_place = from.is_fresh() && from.step == due.step;
   if (is_at_place || here.block != block || due.record.before_cut) return false;
   if (here.cut_block == block) return true;
-  if (!from.is_fresh() && cuts(here.what) && stops_something(due.record)) return true;
+  if (!from.is_fresh() && cuts(here.what)) return true;
   const std::size_t next = from.is_fresh() ? from.step : from.step + from.joined + 1;
   for (std::size_t number = next;; ++number) {
     const ReferenceSteps::Step& step = steps_.at(number);
@@ -224,7 +224,12 @@ bool Alignment::may_be_of_alarm(const Hypothesis& from, const Record& record) {
   for (std::size_t number = from.step; number < from.step + kLookAhead; ++number) {
     const ReferenceSteps::Step& step = steps_.at(number);
     if (step.block != block) return false;
-    if (is_end(step.what)) return std::holds_alternative<AlarmReport>(step.what);
+    if (!is_end(step.what)) continue;
+    // R5: those of earlier blocks come before.
+    const auto waiting = steps_.waiting(step.m_functions);
+    return std::holds_alternative<AlarmReport>(step.what) &&
+           std::ranges::all_of(waiting,
+                               [&](const DueMFunction& due) { return due.record.block == block; });
   }
   return false;
 }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "oracle/motion/curve_follower.hpp"
 #include "oracle/judge/mismatch.hpp"
+#include "oracle/motion/curve_follower.hpp"
 #include "oracle/motion/places.hpp"
 #include "oracle/steps/step_text.hpp"
 
@@ -140,6 +140,7 @@ void Alignment::depart(const Hypothesis& from, const Motion& motion, CurveAnswer
   if (leads_outside(from, motion)) return;
   if (leads_over_m_function(from, motion)) return;
   if (leads_into_open_step(from, motion, stage)) return;
+  if (leads_past_corner(from, motion, stage)) return;
   if (takes_coarse_centre(from, motion, answer, stage)) return;
   refute(Refutation{from, motion, std::move(answer), std::nullopt});
 }
@@ -194,6 +195,36 @@ bool Alignment::leads_into_open_step(const Hypothesis& from, const Motion& motio
   if (!beyond.open->may_begin_within(rest)) return false;
   beyond.at = beyond.anchor = rest.from;
   meet_open_step(std::move(beyond), std::move(rest), stage);
+  return true;
+}
+
+// R4. A traverse of one axis may be split anywhere, also where one of several axes ends and the
+// next begins.
+bool Alignment::leads_past_corner(const Hypothesis& from, const Motion& motion, Stage& stage) {
+  const Motion& want = from.curve->motion();
+  const bool are_traverses =
+      want.record.kind == RecordKind::rapid && motion.record.kind == RecordKind::rapid;
+  const AxisSet moved = moved_axes(motion, 0);
+  const auto axis =
+      std::ranges::find_if(reference::kAllAxes, [&](Axis one) { return moved.has(one); });
+  if (!are_traverses || axis == reference::kAllAxes.end() || moved != AxisSet{*axis}) return false;
+  const Number& corner = want.to()[*axis];
+  if (((corner - motion.from[*axis]) * (motion.to()[*axis] - corner)).sign() <= 0) return false;
+  Motion first = motion;
+  Motion rest = motion;
+  first.record.to[*axis] = rest.from[*axis] = corner;
+  const CurveAnswer answer = from.curve->follow(from.progress, first);
+  if (std::ranges::none_of(answer.ways, [](const CurveWay& way) { return way.done; })) return false;
+  Hypothesis beyond = from;
+  leave_motion(beyond);
+  const ReferenceSteps::Step& next = step_of(beyond);
+  const auto* traverse = std::get_if<Motion>(&next.what);
+  if (traverse == nullptr || traverse->record.kind != RecordKind::rapid) return false;
+  const bool goes_on = !steps_.curve_of(next)->follow(beyond.progress, rest).departs();
+  if (!goes_on || overdue(beyond) != nullptr) return false;
+  beyond.exact = false;
+  beyond.at = beyond.anchor = rest.from;
+  walk(std::move(beyond), std::move(rest), stage);
   return true;
 }
 

@@ -152,7 +152,9 @@ bool alarms_without(const reference::Profile& profile, const ProgramText& progra
       return left;
     };
     const auto found = alarm_of(profile, program, change, kMostItems);
-    return found && found->block == alarm.block && admits(*found, alarm.alarm_class);
+    const bool is_later = found && found->block > report.block;
+    const bool is_block = is_later && (alarm.block == 0 || found->block == alarm.block);
+    return is_block && admits(*found, alarm.alarm_class);
   };
   try {
     return alarms(false) || alarms(true);

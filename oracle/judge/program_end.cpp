@@ -187,9 +187,8 @@ std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& endi
   using MFunctions = Ending::MFunctions;
   if (ending.judges == MFunctions::none) return std::nullopt;
   const bool before_alarm = ending.judges == MFunctions::before_alarm;
-  const auto named = [&](const Record& record) {
-    return times_named(reference_.failed_line(), record.m);
-  };
+  const std::string words = reference_.failed_words();
+  const auto named = [&](const Record& record) { return times_named(words, record.m); };
   std::map<std::int32_t, std::size_t> came;
   for (const SubjectMFunction& got : m_functions_of_alarm_) {
     const bool is_of_block = !tolerances_.compare_blocks || got.record.block == ending.block;
@@ -328,8 +327,9 @@ std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from, const
     result.got = alarm_text(alarm);
     return result;
   };
-  if (tolerances_.compare_blocks && alarm.block > report.block && !tolerances_.strict &&
-      reference::is_silent(best_supported(report).clause) &&
+  const bool may_be_later =
+      tolerances_.compare_blocks ? alarm.block > report.block : from.after_alarm.has_value();
+  if (may_be_later && !tolerances_.strict && reference::is_silent(best_supported(report).clause) &&
       alarms_without(profile_, program_, report, alarm)) {
     return ran_on(verdict(VerdictKind::fail_alarm_missing, "The alarm is missing."), tolerances_);
   }

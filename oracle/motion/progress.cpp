@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "oracle/region/constants.hpp"
 
@@ -57,6 +58,33 @@ Ring ring_of(const Motion& arc) {
   return {(from + to) / 2, std::fabs(to - from), whole + part};
 }
 
+// How far a point of the unit circle is round from (1, 0), counterclockwise, along both axes
+// together: 8 a turn.
+double way_round(double p, double q) {
+  for (double quarters = 0;; quarters += 2) {
+    if (p > 0 && q >= 0) return quarters + 1 - p + q;
+    p = std::exchange(q, -p);
+  }
+}
+
+// Along both axes together; of a spiral as on its inner circle.
+double way_of_arc(const Motion& arc) {
+  const PlaneVector start = from_centre(arc.record, arc.from);
+  const PlaneVector end = from_centre(arc.record, arc.to());
+  const double sp = estimate(start.p), sq = estimate(start.q);
+  const double ep = estimate(end.p), eq = estimate(end.q);
+  const double from = std::hypot(sp, sq), to = std::hypot(ep, eq);
+  if (from <= 0 || to <= 0) return 0;
+  const int sense = arc.record.rot > 0 ? 1 : -1;
+  double turned = sense * (way_round(ep / to, eq / to) - way_round(sp / from, sq / from));
+  // Where the ends are as good as on one ray, the numbers say on which side.
+  const bool is_whole =
+      std::abs(turned) < kEstimate ? region::cross(start, end).sign() != sense : turned < 0;
+  if (is_whole) turned += 8;
+  const double turns = std::abs(static_cast<double>(arc.record.rot)) - 1;
+  return (turned + 8 * turns) * std::min(from, to);
+}
+
 }  // namespace
 
 bool comes_nearer(const Motion& motion, const Position& due, const Number& tolerance) {
@@ -106,6 +134,16 @@ bool MilledAgain::allows(const Motion& cut) {
     is_seen = is_seen || ring.turns > 0.5;
   }
   return !is_seen || ++times_[motion.key()] <= static_cast<double>(kMostTimes);
+}
+
+// What an estimate finds too long by more than its error, is too long.
+bool MilledWay::allows(const Motion& motion, const reference::PlaneAxes& axes) {
+  const auto along = [&](Axis axis) {
+    return std::abs(estimate(motion.to()[axis]) - estimate(motion.from[axis]));
+  };
+  const bool is_arc = motion.record.kind == RecordKind::arc;
+  way_ += is_arc ? way_of_arc(motion) : along(axes.p) + along(axes.q);
+  return way_ <= most_ * (1 + kEstimate);
 }
 
 }  // namespace gonogo::oracle

@@ -56,4 +56,18 @@ class MilledAgain {
   std::unordered_map<std::uint64_t, double> times_;  // by places, as they hash
 };
 
+// R8, measure: how far the tool goes in a level, along both axes of its plane together.
+class MilledWay {
+ public:
+  // `most`: ten times the way that the clause needs, mm.
+  explicit MilledWay(double most) : most_(most) {}
+
+  // Adds the motion. False where the way is longer than the most.
+  bool allows(const Motion& motion, const reference::PlaneAxes& axes);
+
+ private:
+  double most_;
+  double way_ = 0;
+};
+
 }  // namespace gonogo::oracle

@@ -5,15 +5,15 @@
 
 #include <optional>
 
-#include "oracle/open/pocket_level_step.hpp"
 #include "oracle/open/thread_run_out.hpp"
+#include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
 
 class OpenStepMemory {
  public:
-  RunOutSet run_outs;                // that explain the threads so far
-  std::optional<JudgedLevel> level;  // the last one that was judged GO
+  RunOutSet run_outs;                           // that explain the threads so far
+  std::optional<reference::PocketLevel> level;  // the last one that was judged GO
 };
 
 }  // namespace gonogo::oracle

@@ -3,6 +3,7 @@
 // Which judge a free step has. A cycle whose path is open comes in here.
 #include "oracle/open/helix_pocket_judge.hpp"
 #include "oracle/open/open_step_memory.hpp"
+#include "oracle/open/pocket_level_step.hpp"
 #include "oracle/open/pocket_milling_judge.hpp"
 #include "oracle/open/thread_step.hpp"
 

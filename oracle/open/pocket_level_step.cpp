@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
 #include "oracle/motion/arc_turns.hpp"
-#include "oracle/steps/step_text.hpp"
 #include "oracle/region/constants.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 
@@ -44,16 +44,25 @@ bool same_level(const PocketLevel& a, const PocketLevel& b) {
          a.tool_radius == b.tool_radius && a.step == b.step && a.sense == b.sense;
 }
 
+// Ten times the way of concentric circles a step apart, of which each goes eight times its radius
+// along both axes.
+double most_way(const PocketLevel& level) {
+  const double reach = estimate(level.pocket_radius - level.tool_radius);
+  const double circles = std::ceil(reach / estimate(level.step)) + 1;
+  return circles * reach * 8 * kMostTimes;
+}
+
 }  // namespace
 
 PocketLevelStep::PocketLevelStep(const PocketLevel& level, const Position& place,
-                                 const Tolerances& tolerances, std::optional<JudgedLevel>& last)
+                                 const Tolerances& tolerances, std::optional<PocketLevel>& last)
     : level_(level),
       axes_(axes_of(level.plane)),
       place_(place),
       tolerances_(tolerances),
       last_(last),
-      again_(ring_width(level.step, tolerances.level_tolerance())) {}
+      again_(ring_width(level.step, tolerances.level_tolerance())),
+      way_(most_way(level)) {}
 
 OpenStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion,
                                         std::string message) const {
@@ -113,6 +122,10 @@ OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   if (!again_.allows(motion)) {
     return departs(VerdictKind::fail_overrun, motion, std::string(kMilledTooOften));
   }
+  if (!way_.allows(motion, axes_)) {
+    return departs(VerdictKind::fail_overrun, motion,
+                   "The cut is more than ten times as long as concentric circles.");
+  }
   region::LevelMotion part;
   part.is_arc = record.kind == RecordKind::arc;
   part.from = plane_point(motion.from, axes_);
@@ -157,12 +170,6 @@ Verdict PocketLevelStep::fault(const region::Finding& finding, const Position& h
   return verdict;
 }
 
-bool PocketLevelStep::is_known() const {
-  return last_ && same_level(last_->level, level_) && plunge_[axes_.p] == last_->plunge[axes_.p] &&
-         plunge_[axes_.q] == last_->plunge[axes_.q] &&
-         std::ranges::equal(motions_, last_->motions, region::same_cut);
-}
-
 // So small that it is cleared where the subject stands: no disc covers one that is wider than it by
 // more than the tolerance, before the region judge looks at anything else.
 bool PocketLevelStep::is_judged_at_alarm(const Position& here) const {
@@ -175,11 +182,9 @@ bool PocketLevelStep::is_judged_at_alarm(const Position& here) const {
 std::optional<Verdict> PocketLevelStep::end(const Position& here) {
   if (motions_.empty()) plunge_ = here;
   // Levels no farther apart than the tolerance are one level, and this one is cleared.
-  const bool known = is_known();
-  const bool cleared = motions_.empty() && last_ && same_level(last_->level, level_) &&
-                       agree(last_->level.depth, level_.depth, tolerances_.tolerance);
-  if (known) last_->level.depth = level_.depth;
-  if (known || cleared) return std::nullopt;
+  const bool cleared = motions_.empty() && last_ && same_level(*last_, level_) &&
+                       agree(last_->depth, level_.depth, tolerances_.tolerance);
+  if (cleared) return std::nullopt;
   const region::LevelVerdict answer = region::judge_level(circle(plunge_), motions_);
   if (answer.kind == region::LevelVerdict::Kind::gap) {
     return OpenStepAnswer::gap(answer.reason, answer.gap).verdict;
@@ -187,7 +192,7 @@ std::optional<Verdict> PocketLevelStep::end(const Position& here) {
   if (answer.kind == region::LevelVerdict::Kind::no_go) {
     return fault(answer.finding.value(), here);
   }
-  last_ = JudgedLevel{level_, motions_, plunge_};
+  last_ = level_;
   return std::nullopt;
 }
 

@@ -7,25 +7,19 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/open/open_step.hpp"
 #include "oracle/motion/progress.hpp"
+#include "oracle/open/open_step.hpp"
 #include "oracle/region/level.hpp"
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
 
-// The last level that was judged GO: equal levels are judged once.
-struct JudgedLevel {
-  reference::PocketLevel level;
-  std::vector<region::LevelMotion> motions;
-  Position plunge;
-};
-
 class PocketLevelStep : public OpenStep {
  public:
-  // All must outlive it. `place`: where the reference stands, at the plunge.
+  // All must outlive it. `place`: where the reference stands, at the plunge. `last`: the level
+  // before it that was judged GO.
   PocketLevelStep(const reference::PocketLevel& level, const Position& place,
-                  const Tolerances& tolerances, std::optional<JudgedLevel>& last);
+                  const Tolerances& tolerances, std::optional<reference::PocketLevel>& last);
 
   OpenStepAnswer take(const Motion& motion) override;
   std::optional<Verdict> end(const Position& here) override;
@@ -41,18 +35,18 @@ class PocketLevelStep : public OpenStep {
   OpenStepAnswer collect(const Motion& motion);
   OpenStepAnswer departs(VerdictKind kind, const Motion& motion, std::string message) const;
   region::CircularLevel circle(const Position& plunge) const;
-  bool is_known() const;
   Verdict fault(const region::Finding& finding, const Position& here) const;
 
   const reference::PocketLevel& level_;
   reference::PlaneAxes axes_;
   Position place_;
   const Tolerances& tolerances_;
-  std::optional<JudgedLevel>& last_;
+  std::optional<reference::PocketLevel>& last_;
   Position plunge_;  // where the tool came down
   std::vector<region::LevelMotion> motions_;
   std::vector<Record> records_;  // the same, for the evidence
   MilledAgain again_;
+  MilledWay way_;
 };
 
 }  // namespace gonogo::oracle

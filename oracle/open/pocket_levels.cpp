@@ -2,14 +2,13 @@
 //
 // PocketMillingJudge's part for levels and places: what a level clears, which depths it may have,
 // where the centre is, and what stays inside.
-#include <algorithm>
 
 #include "oracle/motion/arc_turns.hpp"
 #include "oracle/motion/curve_follower.hpp"
 #include "oracle/open/pocket_milling_judge.hpp"
-#include "oracle/steps/step_text.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/region/gouge.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 
@@ -105,13 +104,8 @@ region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const
 }
 
 OpenStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
-  const region::RectangularLevel level = level_at(depth_);
-  const bool whole = !level.cleared;
   if (const OpenStepAnswer floor = check_contour_only(next); floor.is_decided()) return floor;
-  const bool known = judged_ && judged_->whole == whole && judged_->plunge == plunge_ &&
-                     std::ranges::equal(judged_->motions, motions_, region::same_cut);
-  if (known) return OpenStepAnswer::take();
-  const region::LevelVerdict answer = region::judge_level(level, motions_);
+  const region::LevelVerdict answer = region::judge_level(level_at(depth_), motions_);
   if (answer.kind == region::LevelVerdict::Kind::gap)
     return OpenStepAnswer::gap(answer.reason, answer.gap);
   if (answer.kind == region::LevelVerdict::Kind::no_go) {
@@ -121,7 +115,6 @@ OpenStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
     taken_above_floor_ = true;
     return judge_level(next);
   }
-  judged_ = Judged{motions_, plunge_, whole};
   return OpenStepAnswer::take();
 }
 

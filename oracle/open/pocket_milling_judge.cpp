@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/open/pocket_milling_judge.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "oracle/motion/curve_follower.hpp"
-#include "oracle/steps/step_text.hpp"
 #include "oracle/region/constants.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 
@@ -13,6 +16,15 @@ namespace {
 
 region::RoundedRectangle area_of(const Number& length, const Number& width, const Number& corner) {
   return region::rounded_rectangle(length / 2, width / 2, corner);
+}
+
+// Ten times the way of lines a tool's radius apart, on every level.
+double most_way(const reference::PocketMilling& item) {
+  const double tool = estimate(item.tool_radius);
+  const double length = estimate(item.length) / 2 - tool, width = estimate(item.width) / 2 - tool;
+  const double lines = std::ceil(std::max(length, width) / tool) * 2 + 4;
+  const double levels = estimate(item.level_count()) + 2;
+  return lines * (length + width + tool) * 4 * levels * kMostTimes;
 }
 
 }  // namespace
@@ -33,7 +45,8 @@ PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, con
       last_depth_(item.clearance),
       lowest_(item.clearance),
       depth_(item.clearance),
-      again_(ring_width(item.tool_radius, tolerances.level_tolerance())) {
+      again_(ring_width(item.tool_radius, tolerances.level_tolerance())),
+      way_(most_way(item)) {
   // SIE-LC75-10: what a tool of this radius cleared in roughing; nothing where it does not fit.
   const Number narrower = min(item.length, item.width) - item.allowance * 2;
   if (!item.finishing || narrower < item.tool_radius * 2) return;
@@ -125,6 +138,10 @@ OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
   if (is_cut(kind) && !again_.allows(motion)) {
     return departs(VerdictKind::fail_overrun, "SIE-LC75-04"_clause, motion,
                    std::string(kMilledTooOften));
+  }
+  if (!way_.allows(motion, axes_)) {
+    return departs(VerdictKind::fail_overrun, "SIE-LC75-04"_clause, motion,
+                   "The way is more than ten times as long as the levels need.");
   }
   take_slack_of(motion);
   if (floor_cuts_ && is_cut(kind)) note_floor_cut(motion);

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/open/open_step.hpp"
 #include "oracle/motion/progress.hpp"
+#include "oracle/open/open_step.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/region/frame.hpp"
 #include "oracle/region/milled_floor.hpp"
@@ -109,9 +109,9 @@ class PocketMillingJudge : public OpenStep {
   bool first_ = true;              // no level is finished
   Number next_level_ = 1;          // place of the next one in the list that the reading names
   Number last_depth_;              // of the level before, at first the clearance
-  Number lowest_;                  // that the tool has been in what is cleared, or in the air
   std::optional<Motion> arrival_;  // what brought the tool down to where it is
   bool milling_ = false;           // a level is being collected
+  Number lowest_;                  // that the tool has been in what is cleared, or in the air
   Number depth_;                   // of it
   // J-PKT-09: two ways to take the level, between which its end decides.
   bool may_be_travel_ = false;  // what its cuts are unless they clear the floor
@@ -122,16 +122,11 @@ class PocketMillingJudge : public OpenStep {
   std::vector<Record> records_;
   std::size_t idle_cuts_ = 0;
   MilledAgain again_;
+  MilledWay way_;
   std::optional<region::MilledFloor> floor_cuts_;  // where only the contour is to be milled
   region::PlanePoint plunge_;
   bool floor_done_ = false;
   bool over_ = false;
-  struct Judged {
-    std::vector<region::LevelMotion> motions;
-    region::PlanePoint plunge;
-    bool whole = false;
-  };
-  std::optional<Judged> judged_;  // the level before, GO
 };
 
 }  // namespace gonogo::oracle

@@ -88,8 +88,8 @@ inline constexpr int kWitnessDegrees = 45;
 
 // Caps. Beyond those of R9 the answer is undecided, with `cap-...` for its reason.
 
-// times | as many records as the reference without progress, and as often one motion of a level |
-// J-CYC-02
+// times | as many records as the reference without progress, as often one motion of a level, and
+// its way | J-CYC-02, R8
 inline constexpr std::size_t kMostTimes = 10;
 // records | without progress on top of that | J-CYC-02
 inline constexpr std::size_t kMostIdle = 1'000;
@@ -142,10 +142,10 @@ inline constexpr std::size_t kMostTries = 24;
 inline constexpr std::size_t kMostShapes = 2'000;
 // halvings | in a proof of the order of a level | R9
 inline constexpr int kMostHalvings = 40;
-// levels | that are kept with their verdicts, of no more motions than the next number | -
+// levels | that are kept with their verdicts | -
 inline constexpr std::size_t kLevelsKept = 16;
-// motions | of a level that is kept | -
-inline constexpr std::size_t kMostOfKept = 2'000;
+// motions | of all levels that are kept; the last one is always kept | -
+inline constexpr std::size_t kMostMotionsKept = 32'000;
 // cells | of a grid along an axis | -
 inline constexpr int kMostCells = 1'024;
 // of the tolerance | parts into which a spiral's radius is cut, first and again | R8

@@ -28,8 +28,8 @@ bool is_sound(const CommonLevel& terms) {
   return terms.tool_radius.sign() > 0 && terms.tolerance.sign() > 0 && terms.chord.sign() >= 0;
 }
 
-// The levels that were judged last. The ways to read a program and a trace that are followed at
-// once come to the same level one after the other, up to kMaximumAssignments of them.
+// The levels that were judged last: those of one pocket are cut alike, and the ways to read a
+// program and a trace that are followed at once come to the same level one after the other.
 template <class Level>
 class JudgedLately {
  public:
@@ -37,11 +37,15 @@ class JudgedLately {
     for (const Judged& one : judged_) {
       if (is_same(one, level, motions)) return one.verdict;
     }
-    LevelVerdict verdict = judge_level_by(Method::filter_first, level, motions);
-    if (motions.size() > kMostOfKept) return verdict;
-    if (judged_.size() == kLevelsKept) judged_.pop_front();
-    judged_.push_back({level, {motions.begin(), motions.end()}, verdict});
-    return verdict;
+    judged_.push_back({level,
+                       {motions.begin(), motions.end()},
+                       judge_level_by(Method::filter_first, level, motions)});
+    kept_ += motions.size();
+    while (judged_.size() > 1 && (judged_.size() > kLevelsKept || kept_ > kMostMotionsKept)) {
+      kept_ -= judged_.front().motions.size();
+      judged_.pop_front();
+    }
+    return judged_.back().verdict;
   }
 
  private:
@@ -50,16 +54,21 @@ class JudgedLately {
     std::vector<LevelMotion> motions;
     LevelVerdict verdict;
   };
-  // Numbers that no comparison decides are not the same.
+  // Only a finding names records. Numbers that no comparison decides are not the same.
   static bool is_same(const Judged& one, const Level& level, std::span<const LevelMotion> motions) {
+    const bool is_go = one.verdict.kind == LevelVerdict::Kind::go;
+    const auto is_equal = [&](const LevelMotion& a, const LevelMotion& b) {
+      return same_cut(a, b) && (is_go || a.record == b.record);
+    };
     try {
-      return std::ranges::equal(one.motions, motions) && one.level == level;
+      return std::ranges::equal(one.motions, motions, is_equal) && one.level == level;
     } catch (const exact::Undecided&) {
       return false;
     }
   }
 
   std::deque<Judged> judged_;
+  std::size_t kept_ = 0;  // motions of them all
 };
 
 }  // namespace

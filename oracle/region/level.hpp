@@ -50,8 +50,6 @@ struct LevelMotion {
   PlanePoint centre;       // arcs
   int rot = 0;             // arcs: sign = sense (+ counterclockwise), |rot| - 1 whole turns first
   std::size_t record = 0;  // which record of the subject, for the finding
-
-  friend bool operator==(const LevelMotion&, const LevelMotion&) = default;
 };
 inline bool same_cut(const LevelMotion& a, const LevelMotion& b) {
   return a.is_arc == b.is_arc && a.rot == b.rot && a.from == b.from && a.to == b.to &&

@@ -77,7 +77,10 @@ std::size_t times_named(std::string_view line, std::int32_t number) {
     if (begin == std::string_view::npos) begin = line.size();
     const std::size_t end = std::min(line.find_first_not_of("0123456789", begin), line.size());
     const std::string_view found = line.substr(begin, end - begin);
-    if (found == digits || (found.empty() && number == 0)) ++times;
+    // What is calculated may be any.
+    const bool is_calculated = begin < line.size() && std::string_view("[#=R(").find(line[begin]) !=
+                                                          std::string_view::npos;
+    if (is_calculated || found == digits || (found.empty() && number == 0)) ++times;
   }
   return times;
 }
@@ -105,6 +108,7 @@ Answer Correspondence::at_place(const Place& place, VerdictKind kind, Rule rule,
     if (const auto* record = std::get_if<Record>(&*want.item)) answer.clause = record->clause;
     if (const auto* report = std::get_if<AlarmReport>(&*want.item)) {
       answer.clause = best_supported(*report).clause;
+      answer.block = report->block;
     }
   }
   answer.message = std::move(message);
@@ -182,7 +186,7 @@ bool Correspondence::is_of_alarm(const Place& place, const AlarmReport& report) 
     if (sides.at(i).part == Part::stop && is_same(sides.at(i).source())) ++due;
   }
   const auto came = static_cast<std::size_t>(std::ranges::count_if(outcome_.records, is_same));
-  return is_same(got) && came <= times_named(sides.failed_line(), got.m) + due;
+  return is_same(got) && came <= times_named(sides.failed_words(), got.m) + due;
 }
 
 void Correspondence::close_at_alarm(const Place& place, const AlarmReport& report) {
@@ -197,8 +201,8 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
   const bool is_class = outcome_.alarm != nullptr && admits(report, outcome_.alarm->alarm_class);
   const bool alarms = got.part == Part::close && got.item == nullptr && outcome_.alarm != nullptr;
   // R7: the other answer to an alarm that no text states is to run on from its block, without it.
-  const bool is_before =
-      tolerances_.compare_blocks && got.part != Part::close && got.block < report.block;
+  const bool is_before = tolerances_.compare_blocks && reference(place).is_in_order() &&
+                         got.part != Part::close && got.block < report.block;
   // An alarm behind it is another one, which the program has without the block.
   const auto runs_on = [&] {
     if (is_before || (alarms && is_block)) return false;

@@ -64,7 +64,7 @@ Correspondence::Correspondence(const reference::Profile& profile, std::string_vi
   pairs_.push_back(
       {std::make_shared<ReferenceSide>(profile, program, tolerances, Settled(), manner.passes_end),
        std::make_shared<SubjectSide>(outcome.records, 0, profile.initial.at, tolerances,
-                                     manner.turn),
+                                     manner_.turned),
        0, profile.initial.at});
 }
 
@@ -94,7 +94,7 @@ Number Correspondence::cell_tolerance(const Place& place) {
   const Event& got = subject(place).at(place.j);
   const Number width = want.width + got.width;
   const Label& arc = *want.label;
-  if (is_granted_chord(arc, *got.label, tolerances_) && !arc.is_flat) {
+  if (is_granted_chord(arc, *got.label, tolerances_)) {
     return tolerance(tolerances_.tolerance + tolerances_.chord, width);
   }
   if (arc.kind != RecordKind::arc || got.label->kind != RecordKind::arc) {
@@ -256,7 +256,7 @@ std::size_t Correspondence::pair_for(const Pair& pair) {
   }
   pairs_.push_back(pair);
   pairs_.back().subject = std::make_shared<SubjectSide>(outcome_.records, pair.first_record,
-                                                        pair.start, tolerances_, manner_.turn);
+                                                        pair.start, tolerances_, manner_.turned);
   return pairs_.size() - 1;
 }
 

@@ -18,10 +18,12 @@ bool is_go(const Answer& answer) {
   return decision(answer.kind) == Decision::go;
 }
 
-int rank(const Answer& answer) {
-  if (is_go(answer)) return 0;
-  if (decision(answer.kind) == Decision::undecided) return 1;
-  return answer.kind == VerdictKind::advice ? 2 : 3;
+// R9: the best answer counts.
+enum Rank : std::uint8_t { kGo, kUndecided, kAdvice, kNoGo };
+Rank rank(const Answer& answer) {
+  if (is_go(answer)) return kGo;
+  if (decision(answer.kind) == Decision::undecided) return kUndecided;
+  return answer.kind == VerdictKind::advice ? kAdvice : kNoGo;
 }
 
 // One combination of the readings, one reading of the trace.
@@ -69,6 +71,33 @@ bool is_departure(const Answer& answer) {
   return decision(answer.kind) == Decision::no_go;
 }
 
+// R7: the answer under what is excused: where that is GO an advice, and undecided where it is that.
+void excuse(Answer& answer, const Answer& excused, std::string message) {
+  if (rank(excused) == kUndecided) answer = excused;
+  if (rank(excused) != kGo && excused.kind != VerdictKind::advice) return;
+  answer.kind = VerdictKind::advice;
+  answer.message = std::move(message);
+}
+
+// R9: the arcs whose ends agree, all of them with their other turn and each alone.
+std::vector<std::vector<std::size_t>> other_turns(const reference::Profile& profile,
+                                                  const Tolerances& tolerances,
+                                                  const Outcome& outcome) {
+  reference::Position here = profile.initial.at;
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < outcome.records.size(); ++i) {
+    const reference::Record& record = outcome.records[i];
+    if (has_two_readings(record, here, tolerances.tolerance)) all.push_back(i);
+    if (is_motion(record.kind)) here = end_of(record, here);
+  }
+  std::vector<std::vector<std::size_t>> turns;
+  if (!all.empty()) turns.push_back(all);
+  if (all.size() > 1) {
+    for (const std::size_t one : all) turns.push_back({one});
+  }
+  return turns;
+}
+
 // Under one assignment: R7 of centres and of ends, and R9 of arcs whose ends agree.
 Judgement judge_readings_of_trace(const reference::Profile& profile, std::string_view program,
                                   const Tolerances& tolerances, const Outcome& outcome) {
@@ -76,30 +105,19 @@ Judgement judge_readings_of_trace(const reference::Profile& profile, std::string
   if (is_departure(judgement.answer) && judgement.finds_centres && !tolerances.strict) {
     const Judgement excused =
         judge(profile, program, tolerances, outcome, {.excuses_centres = true});
-    if (is_go(excused.answer)) {
-      judgement.answer.kind = VerdictKind::advice;
-      judgement.answer.message = "No text says how finely the centre is computed.";
-    }
+    excuse(judgement.answer, excused.answer, "No text says how finely the centre is computed.");
   }
   if (is_departure(judgement.answer) && judgement.is_beyond_end && !tolerances.strict) {
     const Judgement excused = judge(profile, program, tolerances, outcome, {.passes_end = true});
-    if (!is_departure(excused.answer)) {
-      judgement.answer.kind = VerdictKind::advice;
-      judgement.answer.message = "No text says that the program ends.";
-    }
+    excuse(judgement.answer, excused.answer, "No text says that the program ends.");
   }
   if (!is_departure(judgement.answer) || tolerances.exact) return judgement;
-  reference::Position here = profile.initial.at;
-  bool has_two = false;
-  for (const reference::Record& record : outcome.records) {
-    has_two = has_two || has_two_readings(record, here, tolerances.tolerance);
-    if (is_motion(record.kind)) here = end_of(record, here);
-  }
-  if (!has_two) return judgement;
-  const Judgement other = judge(profile, program, tolerances, outcome, {.turn = Turn::the_other});
-  if (is_go(other.answer)) {
+  for (const std::vector<std::size_t>& turned : other_turns(profile, tolerances, outcome)) {
+    const Judgement other = judge(profile, program, tolerances, outcome, {.turned = turned});
+    if (rank(other.answer) > kUndecided) continue;
     judgement.answer =
         undecided(GapReason::two_readings, "An arc whose ends agree may be a nil or a full turn.");
+    break;
   }
   return judgement;
 }

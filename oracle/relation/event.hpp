@@ -24,6 +24,7 @@ struct Event {
   Part part = Part::close;
   Position from;  // rastered, where it begins and ends
   Position to;
+  Position start;                      // of the motion that it is a piece of
   Number width;                        // how far the curve may lie from the line between them
   std::shared_ptr<const Label> label;  // of a motion
   std::shared_ptr<const reference::Item> item;  // what it is a piece of; of the subject a record

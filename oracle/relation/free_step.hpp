@@ -57,9 +57,14 @@ StepAnswer follow(const reference::PocketLevel& level, const Followed& way);
 StepAnswer follow(const reference::PocketMilling& pocket, const Followed& way);
 StepAnswer follow(const reference::ThreadMilling& thread, const Followed& way);
 
-// The end of a stretch of one label that stays near where it begins; nothing where it does not.
+// R3: the end of a stretch of one label that stays near a place; nothing where it does not. The
+// place is where the last motion ended that had a label: small stretches do not add up.
 std::optional<std::size_t> end_of_small_stretch(SubjectSide& subject, std::size_t begin,
-                                                const Number& tau);
+                                                const Position& place, const Number& tau);
+
+// Which way the arc that the piece is of turns in a plane, as the sign of rot; 0: it is no arc, or
+// one that may come as its chord.
+int sense_of(const Event& piece, const reference::PlaneAxes& axes);
 
 // Whether an axis moves that none of these is.
 bool moves_another_axis(const Event& piece, const Position& start, const reference::PlaneAxes& axes,

@@ -85,8 +85,12 @@ bool is_same_kind(const Label& want, const Label& got, const Tolerances& toleran
 
 // A lead is a length and agrees as lengths do; so does the angle of a start, within a turn.
 bool is_same_thread(const Label& want, const Label& got, const Tolerances& tolerances) {
-  for (const int turn : {-360, 0, 360}) {
-    if (!agree(want.start + turn, got.start, tolerances.resolution, tolerances)) continue;
+  // Turns of it that the subject adds; where rounding tells, one more or less.
+  const Number turns =
+      ((got.start.bounds(kBitsOfLabel)[0] - want.start.bounds(kBitsOfLabel)[0]) / 360).floor();
+  for (const int turn : {0, 1}) {
+    const Number start = want.start + (turns + turn) * 360;
+    if (!agree(start, got.start, tolerances.resolution, tolerances)) continue;
     return agree(want.lead, got.lead, tolerances.resolution, tolerances);
   }
   return false;

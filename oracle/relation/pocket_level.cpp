@@ -53,13 +53,14 @@ class LevelConditions {
       return "Another axis moves.";
     }
     if (!has_its_label(*piece.label)) return "The cut has another feed or line.";
-    const reference::Record& motion = piece.source();
-    const bool is_arc = motion.kind != RecordKind::feed;
-    const bool turns_back = motion.kind == RecordKind::arc && !piece.label->is_flat &&
-                            (motion.rot < 0) != (level_.sense < 0);
-    if (turns_back) return "The arc turns the other way.";
+    const bool is_arc = piece.source().kind != RecordKind::feed;
+    if (sense_of(piece, axes_) * level_.sense < 0) return "The arc turns the other way.";
     const std::int64_t quarters = winding_.quarters();
-    winding_.take(to);
+    if (is_link(piece)) {
+      winding_.leave();
+    } else {
+      winding_.take(to);
+    }
     if (winding_.goes_back()) return "The cut goes round the middle the other way.";
     if (winding_.quarters() / 4 != quarters / 4 && turns_on_ring(to)) {
       return "A ring is cut more than ten times.";
@@ -96,6 +97,16 @@ class LevelConditions {
     bool is_arc;
   };
 
+  // Straight and longer than L, or across more than 45 degrees: which way it goes round no text
+  // says.
+  bool is_link(const Event& piece) const {
+    if (piece.source().kind != RecordKind::feed) return false;
+    const Offset from = offset_of(rational_near(piece.start));
+    const Offset to = offset_of(rational_near(end_of(piece.source(), piece.start)));
+    const Offset way{to.p - from.p, to.q - from.q};
+    return way.square() > step_ * step_ ||
+           abs(from.p * to.q - from.q * to.p) > from.p * to.p + from.q * to.q;
+  }
   Offset offset_of(const Position& place) const {
     return {place[axes_.p] - middle_.p, place[axes_.q] - middle_.q};
   }
@@ -190,15 +201,17 @@ StepAnswer follow(const PocketLevel& level, const Followed& way) {
   SubjectSide& subject = way.subject;
   conditions.begin_at(subject.at(way.begin).from);
   std::size_t i = way.begin;
+  Position place = subject.at(i).from;
   for (; subject.at(i).is_motion(); ++i) {
     const Event& piece = subject.at(i);
-    if (const auto end = end_of_small_stretch(subject, i, way.tolerances.tolerance)) {
+    if (const auto end = end_of_small_stretch(subject, i, place, way.tolerances.tolerance)) {
       i = *end - 1;
       continue;
     }
     if (piece.part != Part::cut || conditions.leaves_depth(piece)) break;
     const std::string_view broken = conditions.take(piece);
     if (!broken.empty()) return {{}, i, broken};
+    place = piece.to;
   }
   const std::string_view broken = conditions.broken_at_end();
   if (!broken.empty()) return {{}, i, broken};

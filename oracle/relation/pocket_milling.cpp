@@ -30,7 +30,8 @@ class MillingConditions {
         limit_(tolerances_.tolerance * 17 / 8),
         start_(way.subject.at(way.begin).from),
         raster_((half_length_ + half_width_) * 4 + Number(1)),
-        above_(rational_near(pocket.clearance)) {
+        above_(rational_near(pocket.clearance)),
+        deepest_(above_) {
     constexpr int kAsMuch = 10;
     const Number sides = half_length_ + half_width_ - tool_ * 2;
     const Number lines = ((max(half_length_, half_width_) - tool_) / tool_).ceil() * 2 + 4;
@@ -158,6 +159,12 @@ class MillingConditions {
     return slack_.allows(cover_of(level).of(tool));
   }
 
+  // Where an infeed has been.
+  bool is_in_its_hole(const Event& piece, const Number& off) const {
+    return is_at_middle(piece.from, piece.width) && is_at_middle(piece.to, piece.width) &&
+           min(piece.from[axes_.d], piece.to[axes_.d]) >= deepest_ - off;
+  }
+
   // In roughing nothing but the infeed at the centre comes before the first level.
   static constexpr std::string_view kEarly = "The motion comes before the first infeed.";
   bool is_early(const Event& piece) const {
@@ -209,7 +216,7 @@ class MillingConditions {
     }
     if (is_early(piece)) return kEarly;
     if (!levels_.empty()) levels_.back().is_over = true;
-    return is_free(piece, off) || is_in_cleared(piece, off)
+    return is_free(piece, off) || is_in_cleared(piece, off) || is_in_its_hole(piece, off)
                ? ""
                : "The cut has another feed, or is beside its level.";
   }
@@ -237,10 +244,12 @@ class MillingConditions {
   std::string_view take_infeed(const Event& piece) {
     const Number height = piece.to[axes_.d];
     if (!is_infeed(piece)) {
-      const bool is_early = pocket_.finishing && is_free(piece, slack_.axis(piece.width));
+      const bool is_early = pocket_.finishing && is_free(piece, slack_.axis(piece.width)) &&
+                            height > rational_near(pocket_.rough_floor) + slack_.axis(0);
       return is_early ? std::string_view()
                       : "The infeed is beside the centre, or has another feed.";
     }
+    deepest_ = min(deepest_, height);
     if (pocket_.finishing && height > rational_near(pocket_.rough_floor) + slack_.axis(0))
       return {};
     const bool goes_on =
@@ -344,22 +353,23 @@ class MillingConditions {
   Number limit_;
   Position start_;
   Raster raster_;
-  Number back_;   // how far the last cuts have run back along the border
-  Number above_;  // where it begins
+  Number back_;     // how far the last cuts have run back along the border
+  Number above_;    // where it begins
+  Number deepest_;  // of the infeeds
   std::vector<Level> levels_;
   Number width_;
   Number way_;
   Number most_way_;
 };
 
-// R4: behind a traverse that leads no farther than tau, also where another one follows.
+// R4: behind a traverse that stays near a place, also where another one follows.
 std::optional<std::size_t> end_of_small_traverse(SubjectSide& side, std::size_t begin,
-                                                 const Number& tau) {
+                                                 const Position& place, const Number& tau) {
   const Event& first = side.at(begin);
   if (first.part != Part::traverse || !first.begins) return std::nullopt;
   std::size_t end = begin + 1;
   while (!side.at(end).begins) ++end;
-  return is_near(side.at(end - 1).to, first.from, tau) ? std::optional(end) : std::nullopt;
+  return is_near(side.at(end - 1).to, place, tau) ? std::optional(end) : std::nullopt;
 }
 
 }  // namespace
@@ -368,6 +378,7 @@ StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
   MillingConditions conditions(pocket, way);
   StepAnswer answer;
   bool is_behind_traverse = true;  // with which it ends (SIE-LC75-04)
+  Position place = way.subject.at(way.begin).from;
   for (std::size_t i = way.begin;; ++i) {
     const Event& piece = way.subject.at(i);
     if (piece.begins && is_behind_traverse && conditions.may_be_over(piece.from)) {
@@ -377,14 +388,16 @@ StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
       answer.broken = lacks;
     }
     if (!piece.is_motion()) return answer;
-    auto end = end_of_small_stretch(way.subject, i, way.tolerances.tolerance);
-    if (!end) end = end_of_small_traverse(way.subject, i, way.tolerances.tolerance);
+    const Number& tau = way.tolerances.tolerance;
+    auto end = end_of_small_stretch(way.subject, i, place, tau);
+    if (!end) end = end_of_small_traverse(way.subject, i, place, tau);
     if (end) {
       i = *end - 1;
       continue;
     }
     is_behind_traverse = piece.part == Part::traverse || conditions.is_shallow();
     const std::string_view broken = conditions.take(piece);
+    place = piece.to;
     if (broken.empty()) continue;
     answer.broken_by = i;
     answer.broken = broken;

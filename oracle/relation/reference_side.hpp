@@ -52,7 +52,8 @@ class ReferenceSide {
   const std::vector<Acceptance>& acceptances() const { return acceptances_; }
   std::size_t item_of(std::size_t index) const { return items_.at(index); }
   const Settled& settled() const { return settled_; }
-  std::string_view failed_line() const { return expander_.failed_line(); }
+  bool is_in_order() const { return expander_.is_in_order(); }
+  std::string failed_words() const { return expander_.failed_words(); }
   const reference::ReadingsInUse& readings() const { return expander_.readings(); }
 
  private:

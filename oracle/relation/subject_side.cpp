@@ -15,6 +15,7 @@ MotionEvents::MotionEvents(Event first, const Record& motion, const Position& fr
       tau_(tolerances.tolerance) {
   event_.part = motion.kind == RecordKind::rapid ? Part::traverse : Part::cut;
   event_.block = motion.block;
+  event_.start = from;
   event_.label = std::make_shared<Label>(label_of(motion, cutter_.is_flat(), tolerances));
 }
 
@@ -34,8 +35,8 @@ std::optional<Event> MotionEvents::next() {
 }
 
 SubjectSide::SubjectSide(std::span<const Record> records, std::size_t first, const Position& from,
-                         const Tolerances& tolerances, Turn turn)
-    : records_(records), next_(first), here_(from), tolerances_(tolerances), turn_(turn) {}
+                         const Tolerances& tolerances, std::span<const std::size_t> turned)
+    : records_(records), next_(first), here_(from), tolerances_(tolerances), turned_(turned) {}
 
 const Event& SubjectSide::at(std::size_t index) {
   while (index >= events_.size()) extend();
@@ -69,7 +70,9 @@ void SubjectSide::extend() {
   event.item = std::make_shared<reference::Item>(record);
   event.block = record.block;
   if (is_motion(record.kind)) {
-    motion_.emplace(std::move(event), record, here_, tolerances_, turn_);
+    const bool is_turned = std::ranges::count(turned_, event.record) != 0;
+    motion_.emplace(std::move(event), record, here_, tolerances_,
+                    is_turned ? Turn::the_other : Turn::as_written);
     return;
   }
   // Nothing is a dwell of no time.

@@ -12,9 +12,9 @@ namespace gonogo::relation {
 // the same records start from a place of another name: another side.
 class SubjectSide {
  public:
-  // What it is given must outlive it.
+  // What it is given must outlive it. `turned`: the records of arcs that have their other turn.
   SubjectSide(std::span<const reference::Record> records, std::size_t first, const Position& from,
-              const Tolerances& tolerances, Turn turn);
+              const Tolerances& tolerances, std::span<const std::size_t> turned);
   // The last one is the close; REQUIRES: none before it is.
   const Event& at(std::size_t index);
   // Where the subject stands before an event that is no piece within a motion, exactly.
@@ -27,7 +27,7 @@ class SubjectSide {
   std::size_t next_;
   Position here_;
   const Tolerances& tolerances_;
-  Turn turn_;
+  std::span<const std::size_t> turned_;
   std::deque<Event> events_;
   std::deque<Position> places_;
   std::optional<MotionEvents> motion_;

@@ -47,8 +47,9 @@ class ThreadPasses : private ThreadSite {
   }
   // The next piece that is no stretch without a label (R3).
   std::size_t behind_small(std::size_t i) {
+    const Position place = subject_.at(i).from;
     while (subject_.at(i).is_motion()) {
-      const auto end = end_of_small_stretch(subject_, i, tolerances_.tolerance);
+      const auto end = end_of_small_stretch(subject_, i, place, tolerances_.tolerance);
       if (!end) break;
       i = *end;
     }
@@ -97,7 +98,7 @@ class ThreadPasses : private ThreadSite {
         if (free_ < 0 && is_deeper(piece, radius_of_pass(number - 1))) {
           return breaks(i, "The entry goes through the wall of the bore.");
         }
-        if (broken = arcs.take(piece, way_of_piece(piece)); !broken.empty())
+        if (broken = arcs.take(sense_of(piece, axes_), way_of_piece(piece)); !broken.empty())
           return breaks(i, broken);
         has_turned = true;
         continue;
@@ -128,13 +129,10 @@ class ThreadPasses : private ThreadSite {
   // quarters are seen.
   class Arcs {
    public:
-    Step take(const Event& piece, const Offset& way) {
-      const int rot = piece.source().rot;
-      if (rot != 0 && !piece.label->is_flat) {
-        if (sense_ != 0 && (rot < 0) != (sense_ < 0)) return "An arc turns the other way.";
-        if (sense_ == 0) directions_ = Winding(rot < 0 ? -1 : 1, 0);
-        sense_ = rot;
-      }
+    Step take(int sense, const Offset& way) {
+      if (sense * sense_ < 0) return "An arc turns the other way.";
+      if (sense_ == 0 && sense != 0) directions_ = Winding(sense, 0);
+      if (sense != 0) sense_ = sense;
       if (sense_ != 0) directions_.take(way);
       return directions_.quarters() > 4 ? "The step turns more than once." : "";
     }
@@ -143,7 +141,8 @@ class ThreadPasses : private ThreadSite {
     int sense_ = 0;
     Winding directions_{1, 0};
   };
-  // In pieces an arc keeps its centre. Nobody knows the centre of an arc that is as straight as a line.
+  // In pieces an arc keeps its centre. Nobody knows the centre of an arc that is as straight as a
+  // line.
   bool is_of_one_arc(const Event& first, const Event& piece) const {
     if (first.record == piece.record || first.label->is_flat || piece.label->is_flat) return true;
     const reference::Record& one = first.source();
@@ -164,7 +163,8 @@ class ThreadPasses : private ThreadSite {
   void helix(std::int64_t number, std::size_t begin) {
     const Number radius = radius_of_pass(number);
     if (!is_at_top(subject_.at(begin).from, 0)) return;
-    Offset last = offset_of(subject_.at(begin).from);
+    Position place = subject_.at(begin).from;
+    Offset last = offset_of(place);
     Number swept;
     // What a place may be off along the circle, in degrees: below 60 tau / r.
     const Number aside =
@@ -175,7 +175,7 @@ class ThreadPasses : private ThreadSite {
       if (!piece.is_motion()) return breaks(i, "The helix ends early.");
       if (swept > whole_ + aside * 2)
         return breaks(i, "The helix makes more turns than it has leads.");
-      if (end_of_small_stretch(subject_, i, tolerances_.tolerance)) {
+      if (end_of_small_stretch(subject_, i, place, tolerances_.tolerance)) {
         last = offset_of(piece.to);
         continue;
       }
@@ -195,6 +195,7 @@ class ThreadPasses : private ThreadSite {
       }
       swept += leads_back ? -degrees_of(along, -across) : degrees_of(along, across);
       last = to;
+      place = piece.to;
       const Number fallen = (top_ - piece.to[axes_.d]) * up_;
       const Number off = slack_.axis(piece.width) + lead_ * aside / kTurn;
       if (abs(fallen - lead_ * swept / kTurn) > off)
@@ -238,7 +239,7 @@ class ThreadPasses : private ThreadSite {
                                         : !is_of_one_arc(first_round, piece);
       if (is_bent && (!has_straight || tolerances_.chord.sign() == 0))
         return breaks(i, "The run-out is neither straight nor one arc.");
-      if (!is_straight(piece)) broken = arcs.take(piece, way_of_piece(piece));
+      if (!is_straight(piece)) broken = arcs.take(sense_of(piece, axes_), way_of_piece(piece));
       if (!broken.empty()) return breaks(i, broken);
     }
   }

@@ -79,7 +79,8 @@ bool alarms_without(const reference::Profile& profile, std::string_view program,
                     const AlarmReport& report, const oracle::SubjectAlarm& alarm) {
   return std::ranges::any_of(std::array{false, true}, [&](bool keeps_rest) {
     const auto found = alarm_of(profile, without(profile, program, report, keeps_rest));
-    const bool is_block = found && (alarm.block == 0 || found->block == alarm.block);
+    const bool is_later = found && found->block > report.block;
+    const bool is_block = is_later && (alarm.block == 0 || found->block == alarm.block);
     return is_block && admits(*found, alarm.alarm_class);
   });
 }

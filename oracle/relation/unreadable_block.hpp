@@ -15,7 +15,8 @@ namespace gonogo::relation {
 bool alarms_before_fault(const reference::Profile& profile, std::string_view program,
                          const reference::AlarmReport& report, std::string_view alarm_class);
 
-// R7: whether the program has the alarm without the block that alarms, or its words at fault.
+// R7: whether the program has the alarm in a later block, without the block that alarms or its
+// words at fault.
 bool alarms_without(const reference::Profile& profile, std::string_view program,
                     const reference::AlarmReport& report, const oracle::SubjectAlarm& alarm);
 

@@ -31,8 +31,7 @@ bool moves_another_axis(const Event& piece, const Position& start, const referen
 }
 
 std::optional<std::size_t> end_of_small_stretch(SubjectSide& subject, std::size_t begin,
-                                                const Number& tau) {
-  const Position place = subject.at(begin).from;
+                                                const Position& place, const Number& tau) {
   if (begin > 0 && goes_on(subject.at(begin - 1), subject.at(begin))) return std::nullopt;
   for (std::size_t i = begin;; ++i) {
     const Event& piece = subject.at(i);
@@ -42,6 +41,21 @@ std::optional<std::size_t> end_of_small_stretch(SubjectSide& subject, std::size_
     }
     if (!goes_on(piece, subject.at(i + 1))) return i + 1;
   }
+}
+
+int sense_of(const Event& piece, const reference::PlaneAxes& axes) {
+  const reference::Record& motion = piece.source();
+  if (piece.label->is_flat) return 0;
+  if (motion.kind == reference::RecordKind::arc) return motion.rot < 0 ? -1 : 1;
+  if (motion.kind != reference::RecordKind::arc3) return 0;
+  const auto along = [&](const Position& end, const reference::AxisSet& named,
+                         reference::Axis axis) {
+    return named.has(axis) ? rational_near(end[axis] - piece.start[axis]) : Number(0);
+  };
+  const auto [p, q] = std::pair(axes.p, axes.q);
+  const Number across = along(motion.via, motion.via_axes, p) * along(motion.to, motion.axes, q) -
+                        along(motion.via, motion.via_axes, q) * along(motion.to, motion.axes, p);
+  return across.sign();
 }
 
 }  // namespace gonogo::relation

@@ -96,7 +96,7 @@ class ReferenceSteps {
   // Whether line numbers have ascended, and go on so.
   bool is_in_order() const { return expander_.is_in_order(); }
   // The text of the line that alarms, at the alarm.
-  std::string_view failed_line() const { return expander_.failed_line(); }
+  std::string failed_words() const { return expander_.failed_words(); }
 
  private:
   void take(const reference::Item& item);

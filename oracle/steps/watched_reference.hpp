@@ -31,7 +31,7 @@ class WatchedReference {
   void go_past_end();
   const reference::ReadingsInUse& readings() const { return expander_.readings(); }
   bool is_in_order() const { return expander_.is_in_order(); }
-  std::string_view failed_line() const { return expander_.failed_line(); }
+  std::string failed_words() const { return expander_.failed_words(); }
 
   // An alternative under which the last item, or one before, is another, or is one for some answer
   // to a reading that the run itself did not ask for.

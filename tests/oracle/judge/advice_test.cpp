@@ -284,5 +284,20 @@ TEST(Advice, OfACorrectedCentreExcusesNoFeedAndNoTurn) {
   EXPECT_EQ(changed(R"("rot":-1)", R"("rot":1)"), Decision::no_go);
 }
 
+// SIE-COM-02: no text says that a speed below zero alarms. Who runs on comes to the alarm of line
+// 4, with line numbers and without; an alarm that the program has nowhere is none.
+TEST(Silence, RunsOnToALaterAlarmOfTheProgram) {
+  constexpr std::string_view kProgram = "G1 X1 F100\nS-5 X3\nX10\nX20 AP=400\nX30\n";
+  const auto said = [&](bool blocks, std::string_view alarm) {
+    const std::string trace = feed_x(1, "1") + feed_x(2, "3") + feed_x(3, "10") +
+                              subject_alarm(4, std::string(alarm).c_str());
+    return judge_trace(kProgram, trace, {.blocks = blocks, .dialect = kSie}).kind;
+  };
+  for (const bool blocks : {true, false}) {
+    EXPECT_EQ(said(blocks, "value-out-of-range"), VerdictKind::advice);
+    EXPECT_EQ(decision(said(blocks, "duplicate-word")), Decision::no_go);
+  }
+}
+
 }  // namespace
 }  // namespace gonogo::oracle

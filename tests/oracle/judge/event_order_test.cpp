@@ -178,17 +178,41 @@ TEST(EventOrder, NoneStandsBetweenTheMotionsOfACycle) {
   }
 }
 
-// A cut that is one motion has no parts that an M function of the maker's could stand between.
-TEST(EventOrder, PiecesOfAMotionPartNothing) {
+// R5. A cut is one event, in pieces too: an M function stands before or behind it.
+TEST(EventOrder, NoMFunctionStandsBetweenThePiecesOfACut) {
   const std::string program = "G00 X0 Z0\nG01 Z10 F100 M77\nG01 Z20 M5\nG00 Z30 M8\n";
   const auto kind = [&](const WordTrace& trace, bool blocks) {
     return judged_trace(program, trace, {.blocks = blocks, .m = true}).kind;
   };
   for (const bool blocks : {true, false}) {
-    const WordTrace right = {"R1,0,0",  "F2,0,4", "M2,77",   "F2,0,10", "F3,0,15",
-                             "F3,0,20", "M3,5",   "R4,0,25", "M4,8",    "R4,0,30"};
+    const WordTrace right = {"R1,0,0",  "M2,77", "F2,0,4",  "F2,0,10", "F3,0,15",
+                             "F3,0,20", "M3,5",  "R4,0,25", "M4,8",    "R4,0,30"};
     EXPECT_EQ(kind(right, blocks), VerdictKind::pass_exact);
+    EXPECT_EQ(kind(with_word_moved(right, 1, 2), blocks), VerdictKind::fail_order) << "M77 within";
+    EXPECT_EQ(kind(with_word_moved(right, 1, 3), blocks), VerdictKind::pass_exact) << "M77 behind";
     EXPECT_EQ(kind(with_word_moved(right, 6, 5), blocks), VerdictKind::fail_order) << "M5 within";
+  }
+}
+
+// R6. G01 has no feed: its own M9 may have come, what a comment names and what comes before the M8
+// that is due may not.
+TEST(EventOrder, BeforeAnAlarmOnlyWhatTheBlockNamesComesBesideWhatIsDue) {
+  const std::string begin = R"({"k":"rapid","b":1,"to":{"x":"5"}}
+)";
+  const std::string m8 = R"({"k":"m","b":1,"m":8}
+)";
+  const std::string m9 = R"({"k":"m","b":2,"m":9}
+)";
+  const std::string alarm = R"({"k":"alarm","b":2,"class":"feed-missing"})";
+  for (const bool blocks : {true, false}) {
+    const auto said = [&](std::string_view program, const std::string& trace) {
+      return decision(judge_trace(program, trace, {.blocks = blocks, .m = true}).kind);
+    };
+    constexpr std::string_view kNamed = "G00 X10 M8\nG01 X20 M9\nM30\n";
+    EXPECT_EQ(said(kNamed, begin + m8 + m9 + alarm), Decision::go);
+    EXPECT_EQ(said(kNamed, begin + m8 + alarm), Decision::go);
+    EXPECT_EQ(said(kNamed, begin + m9 + m8 + alarm), Decision::no_go);
+    EXPECT_EQ(said("G00 X10 M8\nG01 X20 (M9)\nM30\n", begin + m8 + m9 + alarm), Decision::no_go);
   }
 }
 

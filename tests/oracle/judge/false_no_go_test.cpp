@@ -29,9 +29,13 @@ TEST(FalseNoGo, ATraverseAxisByAxisMayEndInTheDirectionOfTheNextOne) {
   const std::string trace = rapid(0, R"("x":"1")") + rapid(0, R"("y":"1")") +
                             rapid(0, R"("y":"2")") + rapid(0, R"("x":"2")");
   decision_of("G0 X1 Y1\nG0 X2 Y2\n", trace, no_blocks);
-  // The first end left out is none.
+  // Past the first end, along one axis, and beside it.
   const std::string past = rapid(0, R"("x":"1")") + rapid(0, R"("y":"2")") + rapid(0, R"("x":"2")");
-  EXPECT_EQ(judge_trace("G0 X1 Y1\nG0 X2 Y2\n", past, no_blocks).kind, VerdictKind::fail_geometry);
+  decision_of("G0 X1 Y1\nG0 X2 Y2\n", past, no_blocks);
+  const std::string beside =
+      rapid(0, R"("x":"0.5")") + rapid(0, R"("y":"2")") + rapid(0, R"("x":"2")");
+  EXPECT_EQ(judge_trace("G0 X1 Y1\nG0 X2 Y2\n", beside, no_blocks).kind,
+            VerdictKind::fail_geometry);
 }
 
 // HNC-G82-09: the run-out keeps lead and start. R-2 E0 leads on along the thread: to z -42.

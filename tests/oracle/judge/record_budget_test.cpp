@@ -121,12 +121,16 @@ TEST(RecordBudget, TurnsAsideAndLinksToAndFroAreCountedToo) {
   EXPECT_EQ(judge_trace(kPocket, leave(links)).kind, VerdictKind::fail_overrun);
 }
 
-// 300 rings 0.04 apart, L / 75, each in its own place.
-TEST(RecordBudget, ManyRingsASmallStepApartAreGo) {
-  TraceText trace = approach();
-  for (int k = 1; k <= 300; ++k) ring(trace, 0.04 * k, 2);
-  const Verdict verdict = judge_trace(kPocket, leave(trace));
+// R8, measure: five circles of 12 go 480 along both axes, and ten times that is allowed. 60 rings
+// 0.2 apart, L / 15, go 2,928; 300 rings 0.04 apart 14,448.
+TEST(RecordBudget, RingsASmallStepApartAreGoAsFarAsTheMeasureGoes) {
+  TraceText many = approach();
+  for (int k = 1; k <= 60; ++k) ring(many, 0.2 * k, 2);
+  const Verdict verdict = judge_trace(kPocket, leave(many));
   EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+  TraceText more = approach();
+  for (int k = 1; k <= 300; ++k) ring(more, 0.04 * k, 2);
+  EXPECT_EQ(judge_trace(kPocket, leave(more)).kind, VerdictKind::fail_overrun);
 }
 
 TEST(RecordBudget, ALineInFiveThousandPiecesIsGo) {

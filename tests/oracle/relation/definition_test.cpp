@@ -181,6 +181,7 @@ TEST(R3Label, APieceOfAThreadStartsAtItsAngle) {
   const Declared hnc{.dialect = "hnc21t"};
   EXPECT_EQ(decided(program, pieces("0"), hnc), kGo);
   EXPECT_EQ(decided(program, pieces("360"), hnc), kGo);
+  EXPECT_EQ(decided(program, pieces("-720"), hnc), kGo);
   EXPECT_EQ(decided(program, pieces("77"), hnc), "fail.feed R3");
 }
 
@@ -567,6 +568,33 @@ TEST(R7Silence, AnAlarmOfOursMayBeMissing) {
 
 // GSK-COM-10: a word without use may be told as that or as one that excludes another.
 // SIE-LEX-02: CIP=0 is an alarm, and no text says whether of syntax or of the code.
+// P is missing, which is our judgement (HNC-G75-06); the other alternative alarms by a text. None
+// of them runs the block, so that nothing shows how to run on.
+TEST(R7Silence, AnAlternativeThatAlarmsShowsNoWayToRunOn) {
+  EXPECT_EQ(decided("G00 Z4 X60\nG91\nG75 R0.5 Q3 X14.5 Z0 I1.5 F200\nG00 X4\n",
+                    R"({"k":"rapid","b":1,"to":{"x":"30","z":"4"}}
+{"k":"feed","b":3,"to":{"x":"33"},"f":"200"}
+{"k":"rapid","b":3,"to":{"x":"30"}}
+{"k":"rapid","b":4,"to":{"x":"32"}})",
+                    {.dialect = "hnc21t", .reading = "hnc.g75.i=any"}),
+            "advice R6");
+}
+
+// SIE-FRM-05 is our judgement. A motion and then that alarm is neither the alarm nor to run on.
+TEST(R7Silence, AnAlarmOfOursBehindAMotionOfItsBlockIsLate) {
+  const std::string begin = R"({"k":"rapid","b":1,"to":{"x":"10"}}
+)";
+  const std::string moved = R"({"k":"rapid","b":3,"to":{"y":"1"}}
+)";
+  const std::string alarm = R"({"k":"alarm","b":3,"class":"plane-not-allowed"})";
+  const auto said = [](const std::string& trace) {
+    return decided("G17 G0 X10\nG258 RPL=30\nG18\n", trace, {.dialect = "sinumerik802s"});
+  };
+  EXPECT_EQ(said(begin + alarm), kGo);
+  EXPECT_EQ(said(begin + moved), "advice R6");
+  EXPECT_TRUE(said(begin + moved + alarm).starts_with("fail"));
+}
+
 TEST(R7Silence, ExcusesEachNameOfItsAnswer) {
   const auto refused = [](std::string_view alarm_class) {
     return decided("G00 X50 Z5\nG94 X40 Z0 F100 L7\nM30\n",
@@ -674,6 +702,33 @@ TEST(R8FreeStep, ARingIsCutTenTimesAtMost) {
 TEST(R8FreeStep, TheEnvelopeHoldsForEveryPoint) {
   EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(7.5, -1) + ring(7, -1)), kGsk), kNoStep);
   EXPECT_EQ(decided(kPocket, pocket(to_ring(5000) + ring(7, -1)), kGsk), "fail.region R8");
+}
+
+// From the wall on in records of 0.0009, each too small for a label of its own; tau is 0.001.
+TEST(R8FreeStep, SmallStretchesDoNotAddUp) {
+  std::string creeping;
+  for (int i = 1; i <= 12; ++i) {
+    creeping += fmt::format(R"({{"k":"feed","b":2,"to":{{"x":"{:.4f}"}},"f":"{}"}}
+)",
+                            17 + 0.0009 * i, i % 2 == 0 ? 150 : 160);
+  }
+  const auto level = [](const std::string& end) {
+    return level_of({ring(4, -1), ring(7, -1), end});
+  };
+  EXPECT_EQ(level(creeping.substr(0, creeping.find('\n') + 1)), kGo);
+  EXPECT_EQ(level(creeping), kNoStep);
+}
+
+// A quarter of the last ring the other way, through its place at 45 degrees.
+TEST(R8FreeStep, AnArcThroughThreePointsHasASense) {
+  const auto quarter = [](std::string_view via, std::string_view y) {
+    return fmt::format(
+        R"({{"k":"arc3","b":2,"via":{{"x":"14.949747468","y":"{}","z":"4"}},"to":{{"x":"10","y":"{}","z":"4"}},"f":"200"}}
+)",
+        via, y);
+  };
+  EXPECT_EQ(level_of({ring(4, -1), ring(7, -1), quarter("5.050252532", "3")}), kGo);
+  EXPECT_EQ(level_of({ring(4, -1), ring(7, -1), quarter("14.949747468", "17")}), kNoStep);
 }
 
 TEST(R8FreeStep, ALevelIsCutAtItsDepth) {
@@ -834,6 +889,17 @@ TEST(R8FreeStep, FinishingMillsTheContourAtEachLevel) {
   EXPECT_EQ(finish(upper + line5("rapid", R"("z":"-6")") + circle5(15)), kNoStep);
   EXPECT_EQ(finish(line5("rapid", R"("x":"25")") + line5("rapid", R"("x":"0")") + upper + lower),
             kNoStep);
+}
+
+// Radius 5, as wide as the tool: roughing with an allowance of 0.5 was nowhere, and the tool rises
+// in the hole that it has made itself.
+TEST(R8FreeStep, AnInfeedMayRiseAgainInItsHole) {
+  const auto finish = [](std::string_view trace) {
+    return lcyc75("R118=10 R119=10 R120=5 R124=0.5 R125=0.25 R127=2", trace);
+  };
+  EXPECT_EQ(finish(infeed("-3") + infeed("-6")), kGo);
+  EXPECT_EQ(finish(infeed("-1") + infeed("0") + infeed("-3") + infeed("-6")), kGo);
+  EXPECT_EQ(finish(infeed("-3") + infeed("2") + infeed("-6")), kGo);
 }
 
 // The rest of the floor is a circle of radius 10; the rings of 5 and 10 mill all of it.
