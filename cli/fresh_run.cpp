@@ -109,4 +109,24 @@ oracle::FreshCounts ask_fresh_programs(const CertifyOptions& options, const Judg
   return counts;
 }
 
+std::vector<std::string> fresh_departures(const JudgedCorpus& judged,
+                                          const oracle::FreshCounts& counts,
+                                          const std::string& scratch) {
+  const hunt::Provenance provenance{fmt::format("gonogo {}", kVersion), judged.subject,
+                                    judged.campaign.seed};
+  std::vector<std::string> ids;
+  for (const auto& [dialect, count] : counts) {
+    hunt::FreshOptions one;
+    one.trial = trial_of(judged.campaign);
+    one.hunt = hunt_of(dialect, judged, one.trial);
+    one.programs = count.programs;
+    one.time = std::chrono::hours(24);
+    const hunt::FreshAnswers answers = hunt::ask_fresh(judged.maker, one, scratch, provenance);
+    if (!answers.departure) continue;
+    ids.push_back(answers.departure->id);
+    break;
+  }
+  return ids;
+}
+
 }  // namespace gonogo::cli

@@ -6,9 +6,9 @@
 #include <chrono>
 #include <string>
 
-#include "cli/certify_options.hpp"
 #include "campaign/campaign.hpp"
 #include "campaign/results_writer.hpp"
+#include "cli/certify_options.hpp"
 
 namespace gonogo::cli {
 
@@ -25,5 +25,10 @@ struct JudgedCorpus {
 // the corpus made the run NO-GO, none. Throws UsageError where the subject cannot run them.
 oracle::FreshCounts ask_fresh_programs(const CertifyOptions& options, const JudgedCorpus& judged,
                                        const std::string& report, oracle::ResultsWriter& results);
+
+// The ids of the departures that so many fresh programs of the run show when they are run again.
+std::vector<std::string> fresh_departures(const JudgedCorpus& judged,
+                                          const oracle::FreshCounts& counts,
+                                          const std::string& scratch);
 
 }  // namespace gonogo::cli

@@ -7,16 +7,19 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <set>
 
+#include "campaign/results_reader.hpp"
+#include "campaign/results_writer.hpp"
+#include "campaign/selection.hpp"
+#include "cli/fresh_run.hpp"
 #include "cli/options.hpp"
 #include "cli/program_file.hpp"
 #include "cli/run_limits.hpp"
 #include "cli/sandbox_options.hpp"
 #include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
-#include "campaign/results_reader.hpp"
-#include "campaign/results_writer.hpp"
-#include "campaign/selection.hpp"
 #include "publish/evidence/statement.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -72,6 +75,31 @@ oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
   return campaign;
 }
 
+// Nothing: the run had none.
+std::optional<oracle::evidence::Check> same_fresh_programs(const std::string& certified,
+                                                           const JudgedCorpus& judged,
+                                                           const fs::path& scratch) {
+  using oracle::evidence::Check;
+  oracle::ResultsReader reader(certified);
+  std::set<std::string> told;
+  for (oracle::CaseHead head; reader.next(head);) {
+    if (oracle::is_fresh(head.id)) told.insert(head.id);
+  }
+  const oracle::FreshCounts counts =
+      oracle::fresh_from_json(reader.footer().value_or(Json::object()).value("fresh", Json()));
+  if (counts.empty()) return std::nullopt;
+  for (const std::string& id : fresh_departures(judged, counts, scratch.string())) {
+    if (told.erase(id) != 0) continue;
+    return Check{
+        Check::Result::fails,
+        fmt::format("The subject departs on the fresh program {}, which has no line.", id)};
+  }
+  if (told.empty()) return Check{Check::Result::holds, "The fresh programs were run again."};
+  return Check{
+      Check::Result::fails,
+      fmt::format("{} is a departure, but the subject did not depart there again.", *told.begin())};
+}
+
 }  // namespace
 
 std::vector<oracle::evidence::Check> run_again(const std::string& certificate,
@@ -97,7 +125,12 @@ std::vector<oracle::evidence::Check> run_again(const std::string& certificate,
   if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
   oracle::ResultsFooter footer;
   results.close(ending, footer);
-  return oracle::evidence::same_cases(certified, path);
+  std::vector<oracle::evidence::Check> checks = oracle::evidence::same_cases(certified, path);
+  const JudgedCorpus judged{corpus, campaign, maker, subject, {}};
+  if (auto check = same_fresh_programs(certified, judged, scratch.path())) {
+    checks.push_back(*std::move(check));
+  }
+  return checks;
 }
 
 }  // namespace gonogo::cli

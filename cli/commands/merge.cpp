@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "campaign/merge.hpp"
+#include "campaign/results_reader.hpp"
 #include "cli/arguments.hpp"
 #include "cli/colour.hpp"
 #include "cli/commands.hpp"
@@ -17,8 +19,6 @@
 #include "cli/program_file.hpp"
 #include "cli/results_file.hpp"
 #include "cli/verdict_text.hpp"
-#include "campaign/merge.hpp"
-#include "campaign/results_reader.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -69,8 +69,8 @@ int merge(oracle::MergeOptions options, const std::string& corpus) {
   for (const std::string& note : outcome.notes) complain("gonogo: {}\n", note);
   if (!outcome.has_corpus) {
     complain(
-        "gonogo: the corpus of the run is not here: whether the shards have all of its cases was "
-        "not checked. --corpus names it.\n");
+        "gonogo: UNDECIDED: the corpus of the run is not here: whether the shards have all of its "
+        "cases was not checked. --corpus names it.\n");
   }
   for (const std::string& shard : outcome.missing) complain("gonogo: {}.\n", shard);
   Output output;
@@ -84,7 +84,8 @@ int merge(oracle::MergeOptions options, const std::string& corpus) {
                                                  outcome.missing.empty() ? "" : " (incomplete)")
                                    : "Nothing is written; --partial writes what is there.\n";
   output.tell();
-  return outcome.missing.empty() ? outcome.answer.exit_code : kUndecided;
+  const bool is_checked = outcome.missing.empty() && outcome.has_corpus;
+  return is_checked || outcome.answer.exit_code == kNoGo ? outcome.answer.exit_code : kUndecided;
 }
 
 }  // namespace

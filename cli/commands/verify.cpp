@@ -35,6 +35,8 @@ std::string_view word(Check::Result result) {
       return "holds";
     case Check::Result::fails:
       return "FAILS";
+    case Check::Result::open:
+      return "not shown";
     default:
       return "not checked";
   }

@@ -74,7 +74,8 @@ double way_of_arc(const Motion& arc) {
   const double sp = estimate(start.p), sq = estimate(start.q);
   const double ep = estimate(end.p), eq = estimate(end.q);
   const double from = std::hypot(sp, sq), to = std::hypot(ep, eq);
-  if (from <= 0 || to <= 0) return 0;
+  // Beyond what a double holds nothing is estimated; the level's envelope decides.
+  if (from <= 0 || to <= 0 || !std::isfinite(from) || !std::isfinite(to)) return 0;
   const int sense = arc.record.rot > 0 ? 1 : -1;
   double turned = sense * (way_round(ep / to, eq / to) - way_round(sp / from, sq / from));
   // Where the ends are as good as on one ray, the numbers say on which side.

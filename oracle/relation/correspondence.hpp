@@ -21,10 +21,9 @@ enum class Bias : std::uint8_t { inner, outer };
 
 struct Manner {
   Bias bias = Bias::outer;
-  std::vector<std::size_t> turned =
-      {};                        // R9: the records of arcs that are read with their other turn
   bool excuses_centres = false;  // R7: of arcs whose centre no text says how finely to compute
   bool passes_end = false;       // R7: over an end that no text states
+  std::vector<std::size_t> turned = {};  // R9: records of arcs that have their other turn
 };
 
 class Correspondence {

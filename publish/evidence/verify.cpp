@@ -175,6 +175,11 @@ void check_run_files(const fs::path& folder, const ResultsFacts& facts, Findings
   if (const fs::path own = folder / kTraces / "subject.json"; fs::exists(own)) {
     const Json said = Json::parse(file_text(own.string()), nullptr, false);
     const Json subject = facts.header.value("subject", Json::object());
+    const Json named = said.is_object() ? said.value("subject", Json::object()) : Json::object();
+    for (const char* key : {"name", "version"}) {
+      if (text_of(named, key) == text_of(subject, key)) continue;
+      faults.push_back(fmt::format("{} has another {} than the header.", own.string(), key));
+    }
     for (const char* key : {"dialects", "features", "numeric"}) {
       const Json told = subject.value(key, Json());
       if (said.is_object() && said.value(key, Json()) == told) continue;
@@ -283,6 +288,19 @@ void check_cases(const fs::path& folder, const std::optional<Corpus>& corpus,
   verdicts.tell(findings);
 }
 
+// Only a departure has a line.
+void tell_fresh_programs(const ResultsFacts& facts, Findings& findings) {
+  std::size_t programs = 0;
+  for (const auto& [dialect, count] :
+       fresh_from_json(facts.footer.value("fresh", Json::object()))) {
+    programs += count.programs;
+  }
+  if (programs == 0) return;
+  findings.add_open(fmt::format(
+      "No line shows what the subject did with {} fresh programs. --subject runs them again.",
+      grouped(programs)));
+}
+
 }  // namespace
 
 std::vector<Check> verify_certificate(const std::string& folder, const std::string& corpus,
@@ -296,6 +314,7 @@ std::vector<Check> verify_certificate(const std::string& folder, const std::stri
     check_statement(folder, facts, {version, commit}, findings);
     check_run_files(folder, facts, findings);
     check_cases(folder, corpus_of(corpus, facts.header, findings), facts, findings);
+    tell_fresh_programs(facts, findings);
   } catch (const std::runtime_error& error) {
     // A file that is faulty; what follows from it cannot be checked any more.
     findings.add(Result::fails, error.what());

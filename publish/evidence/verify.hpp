@@ -13,6 +13,7 @@ struct Check {
     holds,
     fails,      // something in the folder is not what it says
     unchecked,  // could not be checked here
+    open,       // no file of any certificate shows it
   };
   Result result = Result::holds;
   std::string sentence;

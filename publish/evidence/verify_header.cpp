@@ -118,11 +118,14 @@ class HeaderCheck {
     const bool may_be = sandbox.empty() || sandbox.back() == "auto" || sandboxed.empty() ||
                         (sandbox.back() == "off") == (sandboxed == "none");
     need("--sandbox", may_be, Json(sandboxed));
+    // What is built in has no process of its own.
+    const std::string spec = text_of(header_.value("subject", Json::object()), "spec");
+    const bool has_process = !spec.starts_with("builtin:");
+    need("--sandbox", has_process || sandboxed.empty() || sandboxed == "none", Json(sandboxed));
     const Json profile = header_.value("profile", Json::object());
     const bool has_profile = header_.contains("machine") || !profile.empty();
     need("--profile", has_profile == !option_values(argv_, "--profile").empty(), profile);
     const std::vector<std::string> subjects = option_values(argv_, "--subject");
-    const std::string spec = text_of(header_.value("subject", Json::object()), "spec");
     need("--subject", subjects.empty() || std::ranges::find(subjects, spec) != subjects.end(),
          Json(spec));
   }

@@ -23,6 +23,9 @@ class Findings {
   void add_unproven(std::string sentence) {
     checks_.push_back({Check::Result::unchecked, std::move(sentence), true});
   }
+  void add_open(std::string sentence) {
+    checks_.push_back({Check::Result::open, std::move(sentence), true});
+  }
   // `ok` when there is no fault; of many the first are named.
   void add_list(const std::vector<std::string>& faults, std::string ok);
   std::vector<Check> take() { return std::move(checks_); }

@@ -109,6 +109,15 @@ TEST(RecordBudget, TurnsCountWhereOneRecordMakesThem) {
   }
 }
 
+// Farther away than a double can say: the judge ends, with anything but GO.
+TEST(RecordBudget, AnArcBeyondAllDoublesIsNotGo) {
+  const std::string far = "1" + std::string(400, '0');
+  TraceText trace = approach();
+  trace.line(R"({"k":"arc","b":2,"plane":"G18","c":{"x":"25","z":")" + far +
+             R"("},"rot":-1,"to":{"x":"25","z":"51"},"f":"800"})");
+  EXPECT_NE(decision(judge_trace(kPocket, leave(trace)).kind), Decision::go);
+}
+
 // Off the middle, and on a link to and fro.
 TEST(RecordBudget, TurnsAsideAndLinksToAndFroAreCountedToo) {
   TraceText aside = approach();
