@@ -22,7 +22,11 @@ class PlaceHash {
 
   PlaceHash& add(double coordinate) {
     const std::uint64_t prime = 0x100000001B3;  // of the hash FNV-1a
-    const auto cell = static_cast<std::int64_t>(std::floor(coordinate / width_));
+    // Beyond what a number of a cell can be, all is one.
+    constexpr double kFarthest = 9e18;
+    const double place = std::floor(coordinate / width_);
+    const bool is_near = std::abs(place) < kFarthest;
+    const auto cell = is_near ? static_cast<std::int64_t>(place) : std::int64_t{0};
     key_ = (key_ ^ static_cast<std::uint64_t>(cell)) * prime;
     key_ ^= key_ >> 29U;
     return *this;
