@@ -23,6 +23,7 @@ using std::chrono::milliseconds;
 // small in that time, too.
 constexpr milliseconds kLeastTime{8'000};
 constexpr int kPartOfTheRun = 6;
+constexpr milliseconds kNoLimit = std::chrono::hours(24);
 // So many times the limit of a case, as where one is run again: the machine may be slow.
 constexpr int kTimesTheLimit = 4;
 
@@ -77,6 +78,20 @@ hunt::HuntOptions hunt_of(const std::string& dialect, const JudgedCorpus& judged
   return options;
 }
 
+hunt::FreshOptions fresh_options(const std::string& dialect, const JudgedCorpus& judged,
+                                 std::size_t programs, milliseconds time) {
+  hunt::FreshOptions options;
+  options.trial = trial_of(judged.campaign);
+  options.hunt = hunt_of(dialect, judged, options.trial);
+  options.programs = programs;
+  options.time = time;
+  return options;
+}
+
+hunt::Provenance provenance_of(const JudgedCorpus& judged) {
+  return {fmt::format("gonogo {}", kVersion), judged.subject, judged.campaign.seed};
+}
+
 }  // namespace
 
 oracle::FreshCounts ask_fresh_programs(const CertifyOptions& options, const JudgedCorpus& judged,
@@ -86,20 +101,14 @@ oracle::FreshCounts ask_fresh_programs(const CertifyOptions& options, const Judg
       std::accumulate(wanted.begin(), wanted.end(), std::size_t{0},
                       [](std::size_t sum, const auto& entry) { return sum + entry.second; });
   const milliseconds time = std::max(kLeastTime, judged.took / kPartOfTheRun);
-  const hunt::Provenance provenance{fmt::format("gonogo {}", kVersion), judged.subject,
-                                    judged.campaign.seed};
   ProgressLine progress(judged.subject + ", fresh programs");
   oracle::FreshCounts counts;
   std::size_t before = 0;
   for (const auto& [dialect, programs] : wanted) {
-    hunt::FreshOptions one;
-    one.trial = trial_of(judged.campaign);
-    one.hunt = hunt_of(dialect, judged, one.trial);
-    one.programs = programs;
-    one.time = time * programs / all;
+    hunt::FreshOptions one = fresh_options(dialect, judged, programs, time * programs / all);
     one.progress = [&](std::size_t done) { progress.show(before + done, all, 0); };
     const hunt::FreshAnswers answers = hunt::ask_fresh(
-        judged.maker, one, fmt::format("{}/{}", report, oracle::kFreshRoom), provenance);
+        judged.maker, one, fmt::format("{}/{}", report, oracle::kFreshRoom), provenance_of(judged));
     counts[dialect] = answers.count;
     before += programs;
     if (!answers.departure) continue;
@@ -109,24 +118,16 @@ oracle::FreshCounts ask_fresh_programs(const CertifyOptions& options, const Judg
   return counts;
 }
 
-std::vector<std::string> fresh_departures(const JudgedCorpus& judged,
-                                          const oracle::FreshCounts& counts,
-                                          const std::string& scratch) {
-  const hunt::Provenance provenance{fmt::format("gonogo {}", kVersion), judged.subject,
-                                    judged.campaign.seed};
-  std::vector<std::string> ids;
+std::optional<std::string> fresh_departure(const JudgedCorpus& judged,
+                                           const oracle::FreshCounts& counts,
+                                           const std::string& scratch) {
   for (const auto& [dialect, count] : counts) {
-    hunt::FreshOptions one;
-    one.trial = trial_of(judged.campaign);
-    one.hunt = hunt_of(dialect, judged, one.trial);
-    one.programs = count.programs;
-    one.time = std::chrono::hours(24);
-    const hunt::FreshAnswers answers = hunt::ask_fresh(judged.maker, one, scratch, provenance);
-    if (!answers.departure) continue;
-    ids.push_back(answers.departure->id);
-    break;
+    const hunt::FreshAnswers answers =
+        hunt::ask_fresh(judged.maker, fresh_options(dialect, judged, count.programs, kNoLimit),
+                        scratch, provenance_of(judged));
+    if (answers.departure) return answers.departure->id;
   }
-  return ids;
+  return std::nullopt;
 }
 
 }  // namespace gonogo::cli

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "campaign/campaign.hpp"
@@ -26,9 +27,10 @@ struct JudgedCorpus {
 oracle::FreshCounts ask_fresh_programs(const CertifyOptions& options, const JudgedCorpus& judged,
                                        const std::string& report, oracle::ResultsWriter& results);
 
-// The ids of the departures that so many fresh programs of the run show when they are run again.
-std::vector<std::string> fresh_departures(const JudgedCorpus& judged,
-                                          const oracle::FreshCounts& counts,
-                                          const std::string& scratch);
+// Runs as many fresh programs of the run again: the id of the one on which the subject departs,
+// with which they end; nothing where it departs on none.
+std::optional<std::string> fresh_departure(const JudgedCorpus& judged,
+                                           const oracle::FreshCounts& counts,
+                                           const std::string& scratch);
 
 }  // namespace gonogo::cli
