@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -23,9 +25,9 @@ class PlaceHash {
   PlaceHash& add(double coordinate) {
     const std::uint64_t prime = 0x100000001B3;  // of the hash FNV-1a
     // Beyond what a number of a cell can be, all is one.
-    constexpr double kFarthest = 9e18;
     const double place = std::floor(coordinate / width_);
-    const bool is_near = std::abs(place) < kFarthest;
+    const bool is_near =
+        std::abs(place) < static_cast<double>(std::numeric_limits<std::int64_t>::max());
     const auto cell = is_near ? static_cast<std::int64_t>(place) : std::int64_t{0};
     key_ = (key_ ^ static_cast<std::uint64_t>(cell)) * prime;
     key_ ^= key_ >> 29U;
