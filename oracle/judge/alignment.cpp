@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "oracle/judge/advice.hpp"
-#include "oracle/motion/curve_follower.hpp"
 #include "oracle/judge/mismatch.hpp"
+#include "oracle/motion/curve_follower.hpp"
 #include "oracle/motion/places.hpp"
 #include "oracle/steps/step_text.hpp"
 #include "reference/silent_end.hpp"
@@ -197,16 +197,34 @@ void Alignment::leave_motion(Hypothesis& from) {
   from.piece.reset();
 }
 
+// R5. From elsewhere: behind the renaming it would be too small to see, and none such is due there.
+bool Alignment::leads_to_new_name(const Hypothesis& from, const Motion& motion) {
+  Position name = motion.from;
+  shift(name, std::get<Renaming>(step_of(from).what).shift);
+  if (same_place(motion.from, motion.to(), tolerances_) ||
+      !same_place(motion.to(), name, tolerances_)) {
+    return false;
+  }
+  const auto* due = std::get_if<Motion>(&steps_.at(from.step + 1).what);
+  return due == nullptr || !stays_at(due->from, *due, tolerances_);
+}
+
 bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
   const auto& renaming = std::get<Renaming>(step.what);
-  if (tolerances_.compare_blocks && motion.record.block <= renaming.block) {
+  const bool is_before = tolerances_.compare_blocks ? motion.record.block <= renaming.block
+                                                    : leads_to_new_name(from, motion);
+  if (is_before) {
     if (is_negligible(from, motion, step.place)) {
       stay(std::move(from), motion, stage);
     } else {
       refute(from, motion, before_renaming(motion, step.what));
     }
     return false;
+  }
+  // Without lines, before the renaming or behind it.
+  if (!tolerances_.compare_blocks && is_negligible(from, motion, step.place)) {
+    stay(from, motion, stage);
   }
   if (!same_place(motion.from, from.at, tolerances_)) {
     leave_undecided(from.step,

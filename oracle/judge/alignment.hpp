@@ -178,6 +178,7 @@ class Alignment {
   bool take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached);
   bool leave_open_step(Hypothesis& from, const Position& here);
   bool meet_renaming(Hypothesis& from, Motion& motion, Stage& stage);
+  bool leads_to_new_name(const Hypothesis& from, const Motion& motion);
   void meet_outside(Hypothesis from, const Motion& motion, const reference::NotCovered& outside,
                     Stage& stage);
   bool meet_last(Hypothesis& from, const Motion& motion, Stage& stage);

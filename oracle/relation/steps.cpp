@@ -180,8 +180,8 @@ void Correspondence::rename(const Place& place) {
   const bool is_nil_due = due.is_motion() && is_near(due.from, due.to, tau);
   const bool leads_there = got.is_motion() && !is_near(got.from, got.to, tau) &&
                            is_near(got.to, rational_near(pair.start), tau);
-  const bool is_its_own = !tolerances_.compare_blocks || got.block == renaming.block;
-  if (leads_there && is_its_own && !is_nil_due) return;
+  const bool is_before = !tolerances_.compare_blocks || got.block <= renaming.block;
+  if (leads_there && is_before && !is_nil_due) return;
   reach_corner({pair_for(pair), place.i + 1, 0, place.m});
 }
 
