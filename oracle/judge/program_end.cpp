@@ -192,8 +192,10 @@ std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& endi
   std::map<std::int32_t, std::size_t> came;
   for (const SubjectMFunction& got : m_functions_of_alarm_) {
     const bool is_of_block = !tolerances_.compare_blocks || got.record.block == ending.block;
-    const bool is_free = before_alarm ? is_of_block && ++came[got.record.m] <= named(got.record)
-                                      : is_of_block || got.record.block > ending.block;
+    // Where the subject runs on a loop may lead back to earlier blocks.
+    const bool is_free =
+        before_alarm ? is_of_block && ++came[got.record.m] <= named(got.record)
+                     : is_of_block || got.record.block > ending.block || !reference_.is_in_order();
     if (!is_free) return m_function_too_many(got.record, got.number, wanted_at(ending.from.step));
   }
   if (ending.at_load) return std::nullopt;
@@ -449,30 +451,53 @@ std::optional<AlarmReport> ProgramJudge::own_alarm() const try {
   return std::nullopt;
 }
 
+std::optional<ProgramJudge::Ending> ProgramJudge::excused_at(Hypothesis from,
+                                                             const Alarming& alarming) {
+  Ending ending = at_alarm(from, alarming);
+  const bool is_excused = ending.verdict && ending.verdict->kind == VerdictKind::advice;
+  return is_excused ? std::optional(std::move(ending)) : std::nullopt;
+}
+
 ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlarm& alarm) {
   // A controller that checks at load has put out nothing.
   const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !has_acted_;
   Alarming alarming{alarm, at_load, reference_.at(from.step).item, !from.is_fresh()};
   auto& unfinished = alarming.unfinished;
+  bool may_be_earlier = !at_load && tolerances_.compare_blocks;
+  std::optional<Ending> earlier;
+  const auto best = [&](Ending ending) {
+    const bool is_go = !ending.verdict || ending.verdict->kind == VerdictKind::advice;
+    return is_go || !earlier ? std::move(ending) : *std::move(earlier);
+  };
   for (std::size_t passed = 0; passed < kMostItems; ++passed) {
-    forget_behind(from, at_load || unfinished);
+    if (!earlier) forget_behind(from, at_load || unfinished);
     const ReferenceSteps::Step& here = reference_.at(from.step);
     const ReferenceStep& step = here.what;
     auto* const outside = std::get_if<NotCovered>(&step);
     if (outside != nullptr && (at_load || !unfinished)) {
       return {from, not_covered_verdict(*outside)};
     }
-    if (outside != nullptr || is_behind_alarm(alarming, step)) return at_alarm(from, alarming);
-    if (std::holds_alternative<AlarmReport>(step) || is_record_end(step)) {
-      if (is_alarm_behind_end(from, alarming)) continue;
-      return at_alarm(from, alarming);
+    const bool is_close = std::holds_alternative<AlarmReport>(step) || is_record_end(step);
+    if (is_close && is_alarm_behind_end(from, alarming)) continue;
+    if (is_close || outside != nullptr || is_behind_alarm(alarming, step)) {
+      return best(at_alarm(from, alarming));
     }
     auto* motion = std::get_if<Motion>(&step);
     const bool may_pass = motion != nullptr ? !unfinished
                                             : std::holds_alternative<reference::Renaming>(step) ||
                                                   (!at_load && is_left_at_alarm(from));
     if (may_pass) {
+      const bool may_alarm_here =
+          may_be_earlier && motion != nullptr && motion->record.block == alarm.block;
+      std::optional<Hypothesis> stands;
+      if (may_alarm_here) stands = from;
+      const Alarming alarming_here{alarm, false, here.item, !from.is_fresh()};
       Alignment::Passing passing = alignment_.pass(from);
+      // R7: before a motion too small to see, to whose block a loop leads back.
+      if (passing.passed && stands) {
+        may_be_earlier = false;
+        earlier = excused_at(*std::move(stands), alarming_here);
+      }
       if (passing.passed) continue;
       if (passing.why_not && from.open->is_judged_when_left()) {
         return open_end(from, *std::move(passing.why_not));
@@ -489,7 +514,7 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
     }
     alignment_.skip(from);
   }
-  if (unfinished) return at_alarm(from, alarming);
+  if (unfinished) return best(at_alarm(from, alarming));
   throw exact::Undecided("the program goes on for too long behind the alarm");
 }
 

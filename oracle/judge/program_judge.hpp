@@ -87,6 +87,7 @@ class ProgramJudge {
   Ending open_end(const Hypothesis& from, Verdict why_not) const;
   struct Alarming;
   Ending at_alarm(Hypothesis& from, const Alarming& alarming);
+  std::optional<Ending> excused_at(Hypothesis from, const Alarming& alarming);
   std::optional<Verdict> compare_alarm(const Hypothesis& from, const Alarming& alarming,
                                        const reference::AlarmReport& report) const;
   Verdict other_class(const Alarming& alarming, const reference::AlarmReport& report) const;
