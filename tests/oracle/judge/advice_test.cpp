@@ -284,6 +284,36 @@ TEST(Advice, OfACorrectedCentreExcusesNoFeedAndNoTurn) {
   EXPECT_EQ(changed(R"("rot":-1)", R"("rot":1)"), Decision::no_go);
 }
 
+// NGC-OFS-14 is silent. A loop leads back to line 4, whose M8 comes again and again.
+TEST(Silence, RunsOnInALoop) {
+  constexpr std::string_view kProgram =
+      "G21 F100\n#1=0\no1 while [#1 LT 3]\nG1 X[#1+1] M8\no2 if [#1 EQ 1]\nG53 G91 G1 X3\nG90\n"
+      "o2 endif\n#1=[#1+1]\no1 endwhile\nM2\n";
+  const std::string m8 = R"({"k":"m","b":4,"m":8})"
+                         "\n";
+  const std::string m2 = R"({"k":"m","b":11,"m":2})";
+  const Judging rs274{.m = true, .dialect = "rs274"};
+  const std::string begin = m8 + feed_x(4, "1") + m8 + feed_x(4, "2");
+  EXPECT_EQ(judge_trace(kProgram, begin + m8 + feed_x(4, "3") + m2, rs274).kind,
+            VerdictKind::advice);
+}
+
+// NGC-FED-03: no text says that a feed a revolution needs a turning spindle. Y0 of the first time
+// round is too small to see, and the alarm may come there as well as the time after.
+TEST(Silence, AlarmsBeforeAMotionTooSmallToSeeInALoop) {
+  constexpr std::string_view kProgram =
+      "G21 G95 F0.1\n#1=0\no1 while [#1 LT 3]\nG1 X[#1+1]\nG1 Y#1\n#1=[#1+1]\no1 endwhile\nM2\n";
+  const std::string moved = R"({"k":"feed","b":4,"to":{"x":"1"},"f":"0.1","fm":"rev"})"
+                            "\n";
+  const auto said = [&](int block) {
+    return judge_trace(kProgram, moved + subject_alarm(block, "spindle-stopped"),
+                       {.dialect = "rs274"})
+        .kind;
+  };
+  EXPECT_EQ(said(5), VerdictKind::advice);
+  EXPECT_EQ(decision(said(6)), Decision::no_go);
+}
+
 // SIE-COM-02: no text says that a speed below zero alarms. Who runs on comes to the alarm of line
 // 4, with line numbers and without; an alarm that the program has nowhere is none.
 TEST(Silence, RunsOnToALaterAlarmOfTheProgram) {

@@ -194,6 +194,22 @@ TEST(EventOrder, NoMFunctionStandsBetweenThePiecesOfACut) {
   }
 }
 
+// R5. The second record may be the first cut again, that leads nowhere, before the renaming; then
+// M8 stands before the cut of its block.
+TEST(EventOrder, WithoutLineNumbersARenamingIsWhereItFits) {
+  const std::string trace = R"({"k":"feed","to":{"x":"10"},"f":"100"}
+{"k":"feed","to":{"x":"10"},"f":"100"}
+{"k":"m","m":8}
+{"k":"feed","to":{"x":"10","z":"5"},"f":"100"})";
+  const Judging hnc{.blocks = false, .m = true, .dialect = "hnc21t"};
+  const auto said = [&](const std::string& records) {
+    return decision(
+        judge_trace("G94 F100\nG01 X20\nG92 X0 Z5\nG01 X20 M8\nM30\n", records, hnc).kind);
+  };
+  EXPECT_EQ(said(trace), Decision::go);
+  EXPECT_EQ(said(trace.substr(0, trace.rfind('\n'))), Decision::no_go);
+}
+
 // R6. G01 has no feed: its own M9 may have come, what a comment names and what comes before the M8
 // that is due may not.
 TEST(EventOrder, BeforeAnAlarmOnlyWhatTheBlockNamesComesBesideWhatIsDue) {

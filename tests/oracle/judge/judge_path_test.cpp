@@ -119,6 +119,22 @@ TEST(PathJudge, ARenamedPositionHoldsForBothSides) {
   EXPECT_EQ(judge_trace(program, trace).kind, VerdictKind::pass_exact);
 }
 
+// R5. The subject goes back to the name that the position gets, or stands there behind the
+// renaming: who moves from elsewhere moves. In pieces the first cut may end where the second one
+// does, named anew.
+TEST(PathJudge, WithoutLineNumbersAMotionToANewNameIsAMotion) {
+  constexpr std::string_view kProgram = "G98 F100\nG01 X20\nG50 X0\nG01 X20\nM30\n";
+  const auto along = [&](std::vector<double> places, bool blocks) {
+    TraceText trace(2, 100);
+    for (const double x : places) trace.feed({{'x', x}});
+    return decision(judge_trace(kProgram, trace.text(), {.blocks = blocks}).kind);
+  };
+  EXPECT_EQ(along({10, 10}, false), Decision::go);
+  EXPECT_EQ(along({9.9995, 10, 10}, false), Decision::go);
+  EXPECT_EQ(along({10, 0, 10}, false), Decision::no_go);
+  EXPECT_EQ(along({10, 0}, true), Decision::no_go);
+}
+
 // Found by generated programs: the arc of 0.001 mm is too small to see, and so is the feed to where
 // the subject stands already; what is renamed after it is not in question.
 TEST(PathJudge, AMotionTooSmallToSeeMayStandBeforeARenaming) {

@@ -477,6 +477,17 @@ TEST(R5Events, NothingFollowsTheEnd) {
             "fail.geometry R2");
 }
 
+// GSK: G50 X0 names X 10 anew. Back to 0 with an earlier line, or without lines, is a motion.
+TEST(R5Events, AMotionToANewNameIsAMotion) {
+  constexpr std::string_view kProgram = "G98 F100\nG01 X20\nG50 X0\nG01 X20\n";
+  const std::string trace = R"({"k":"feed","b":2,"to":{"x":"10"},"f":"100"}
+{"k":"feed","b":2,"to":{"x":"0"},"f":"100"}
+{"k":"feed","b":4,"to":{"x":"10"},"f":"100"})";
+  for (const bool blocks : {true, false}) {
+    EXPECT_EQ(decided(kProgram, trace, {.dialect = "gsk988ta", .blocks = blocks}), "fail.order R5");
+  }
+}
+
 // R6 ------------------------------------------------------------------------------------------
 
 constexpr std::string_view kFaulty = "G21 G90 F100 M3 S100\nG1 X10\nG1 Y10 F-1\nM2\n";
