@@ -203,8 +203,7 @@ TEST(EventOrder, WithoutLineNumbersARenamingIsWhereItFits) {
 {"k":"feed","to":{"x":"10","z":"5"},"f":"100"})";
   const Judging hnc{.blocks = false, .m = true, .dialect = "hnc21t"};
   const auto said = [&](const std::string& records) {
-    return decision(
-        judge_trace("G94 F100\nG01 X20\nG92 X0 Z5\nG01 X20 M8\nM30\n", records, hnc).kind);
+    return decision(judge_trace("G94 F100\nG01 X20\nG92 X0 Z5\nG01 X20 M8\n", records, hnc).kind);
   };
   EXPECT_EQ(said(trace), Decision::go);
   EXPECT_EQ(said(trace.substr(0, trace.rfind('\n'))), Decision::no_go);
