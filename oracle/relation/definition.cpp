@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/relation/definition.hpp"
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -209,7 +210,7 @@ Answer decide(const reference::Profile& profile, std::string_view program,
   std::vector<reference::ReadingChoice> choices = {profile.readings};
   std::optional<Answer> best;
   std::vector<Answer> departures;
-  std::set<std::string> lengths;  // that have been tried
+  std::vector<reference::ReadingChoice> with_lengths;  // that have been tried
   std::size_t assignments = 0;
   while (!choices.empty()) {
     reference::Profile assigned = profile;
@@ -236,9 +237,11 @@ Answer decide(const reference::Profile& profile, std::string_view program,
       if (!reference::reading(key).is_length || !profile.readings.is(key, "any")) continue;
       if (!is_departure(judgement.answer) || !judgement.answer.record) continue;
       for (const std::string& length : lengths_shown(profile, outcome, *judgement.answer.record)) {
-        if (!lengths.insert(length).second) continue;
-        choices.push_back(assigned.readings);
-        choices.back().set(key, length);
+        reference::ReadingChoice choice = assigned.readings;
+        choice.set(key, length);
+        if (std::ranges::count(with_lengths, choice) > 0) continue;
+        with_lengths.push_back(choice);
+        choices.push_back(std::move(choice));
       }
     }
     if (is_departure(judgement.answer)) departures.push_back(judgement.answer);

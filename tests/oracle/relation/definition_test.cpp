@@ -1008,6 +1008,36 @@ TEST(R9Undecided, NamesItsReason) {
       "oracle-gap not-covered");
 }
 
+// GSK-G110-11: P is left out, and the subject comes down to 0.5 above what is cut. That length
+// shows under the first combination of the open readings, and another one is right with it.
+TEST(R9Undecided, AnOpenLengthIsTriedBesideEachCombination) {
+  const auto rapid = [](std::string_view to) {
+    return fmt::format(R"({{"k":"rapid","b":2,"to":{{{}}}}}
+)",
+                       to);
+  };
+  const auto layer = [&](std::string_view above, std::string_view z) {
+    return rapid(fmt::format(R"("z":"{}")", above)) +
+           fmt::format(R"({{"k":"feed","b":2,"to":{{"z":"{}"}},"f":"100"}}
+)",
+                       z) +
+           R"({"k":"arc","b":2,"plane":"G17","c":{"x":"10.5","y":"10"},"rot":-1,"to":{"x":"11","y":"10"},"f":"100"}
+{"k":"arc","b":2,"plane":"G17","c":{"x":"10","y":"10"},"rot":-1,"to":{"x":"11","y":"10"},"f":"100"}
+)" + rapid(R"("z":"2")") +
+           rapid(R"("x":"10","y":"10")");
+  };
+  const auto said = [&](std::string_view second, std::string_view third) {
+    return decided("G17 G98 F100 G00 Z5\nG110 X20 Y10 Z-4 R-3 I4 D3 L2 Q2\nG80\n",
+                   R"({"k":"rapid","b":1,"to":{"z":"5"}}
+)" + rapid(R"("x":"10","y":"10")") +
+                       layer("2", "0") + layer(second, "-2") + layer(third, "-4") +
+                       rapid(R"("z":"5")"),
+                   {.dialect = "gsk988ta"});
+  };
+  EXPECT_EQ(said("0.5", "-1.5"), kGo);
+  EXPECT_TRUE(said("0.5", "-1.25").starts_with("fail"));
+}
+
 TEST(R9Undecided, AnArcWhoseEndsAgreeMayHaveTwoReadings) {
   EXPECT_EQ(decided(kCircle, full_turn(kCentre, -1, R"("x":"10","y":"0.0001")")),
             "oracle-gap two-readings");
