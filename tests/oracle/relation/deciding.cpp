@@ -66,7 +66,7 @@ std::optional<Number> number_of(const std::string& text) {
 Answer decide(std::string_view program, std::string_view trace, const Declared& declared) {
   reference::Profile profile =
       std::get<reference::Profile>(reference::default_profile(declared.dialect));
-  profile.readings = profile.readings.shown();
+  if (!declared.open) profile.readings = profile.readings.shown();
   if (!declared.reading.empty()) {
     const std::size_t equals = declared.reading.find('=');
     if (set_reading(profile, declared.reading.substr(0, equals),

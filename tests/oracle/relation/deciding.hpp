@@ -29,6 +29,7 @@ Tolerances tolerances_of(const oracle::Tolerances& tolerances, const reference::
 struct Declared {
   std::string_view dialect = "rs274";
   std::string reading = {};  // "k=v"
+  bool open = false;         // the other readings are as a run leaves them, else as `expand` shows
   std::string tool = {};     // radius of tool 1, mm
   bool blocks = true;
   bool m = true;

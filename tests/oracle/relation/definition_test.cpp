@@ -1032,7 +1032,7 @@ TEST(R9Undecided, AnOpenLengthIsTriedBesideEachCombination) {
 )" + rapid(R"("x":"10","y":"10")") +
                        layer("2", "0") + layer(second, "-2") + layer(third, "-4") +
                        rapid(R"("z":"5")"),
-                   {.dialect = "gsk988ta"});
+                   {.dialect = "gsk988ta", .open = true});
   };
   EXPECT_EQ(said("0.5", "-1.5"), kGo);
   EXPECT_TRUE(said("0.5", "-1.25").starts_with("fail"));
