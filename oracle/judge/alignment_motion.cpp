@@ -216,14 +216,16 @@ bool Alignment::leads_past_corner(const Hypothesis& from, const Motion& motion, 
   const CurveAnswer answer = from.curve->follow(from.progress, first);
   if (std::ranges::none_of(answer.ways, [](const CurveWay& way) { return way.done; })) return false;
   Hypothesis beyond = from;
+  beyond.at = beyond.anchor = rest.from;
   leave_motion(beyond);
-  const ReferenceSteps::Step& next = step_of(beyond);
-  const auto* traverse = std::get_if<Motion>(&next.what);
-  if (traverse == nullptr || traverse->record.kind != RecordKind::rapid) return false;
-  const bool goes_on = !steps_.curve_of(next)->follow(beyond.progress, rest).departs();
+  const auto due = [&] { return std::get_if<Motion>(&step_of(beyond).what); };
+  while (due() != nullptr && can_pass(beyond, *due()) && overdue(beyond) == nullptr) {
+    leave_motion(beyond);
+  }
+  if (due() == nullptr || due()->record.kind != RecordKind::rapid) return false;
+  const bool goes_on = !steps_.curve_of(step_of(beyond))->follow(beyond.progress, rest).departs();
   if (!goes_on || overdue(beyond) != nullptr) return false;
   beyond.exact = false;
-  beyond.at = beyond.anchor = rest.from;
   walk(std::move(beyond), std::move(rest), stage);
   return true;
 }

@@ -167,17 +167,16 @@ TEST(PathJudge, WithoutLineNumbersATraverseMayGoOnPastWhatIsCovered) {
 // R4. X and Z go to their ends one after the other, and Z on to the end of the next traverse; a
 // traverse of one axis is split where the first one ends.
 TEST(PathJudge, ATraverseOfOneAxisMayGoOnPastACorner) {
-  constexpr std::string_view kProgram = "G00 X20 Z5\nZ9\n";
-  Judging judging;
-  judging.blocks = false;
-  const auto by_way_of = [&](double x, double z) {
-    return decision(
-        judge_trace(kProgram, TraceText(1).rapid({{'x', x}}).rapid({{'z', z}}).text(), judging)
-            .kind);
-  };
-  EXPECT_EQ(by_way_of(10, 9), Decision::go);
-  EXPECT_EQ(by_way_of(10, 8), Decision::no_go);
-  EXPECT_EQ(by_way_of(9, 9), Decision::no_go);
+  // The second one is too small to see where it stands.
+  for (const std::string_view program : {"G00 X20 Z5\nZ9\n", "G00 X20 Z5\nX20\nZ9\n"}) {
+    const auto by_way_of = [&](double x, double z) {
+      const std::string trace = TraceText(1).rapid({{'x', x}}).rapid({{'z', z}}).text();
+      return decision(judge_trace(program, trace, {.blocks = false}).kind);
+    };
+    EXPECT_EQ(by_way_of(10, 9), Decision::go);
+    EXPECT_EQ(by_way_of(10, 8), Decision::no_go);
+    EXPECT_EQ(by_way_of(9, 9), Decision::no_go);
+  }
 }
 
 // Also as the first record of all: nothing is left to be compared then.
