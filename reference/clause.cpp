@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/clause.hpp"
 
+#include "reference/clause_literal.hpp"
+
 namespace gonogo::reference {
 
 std::span<const Clause> clauses() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "reference/clause_literal.hpp"
 #include "reference/gsk988ta/descriptor.hpp"
 #include "reference/gsk988ta/interpreter.hpp"
 #include "reference/hnc21t/descriptor.hpp"

@@ -5,6 +5,7 @@
 
 #include "reference/dialect.hpp"
 #include "reference/nearest_word.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference {
 
@@ -12,6 +13,10 @@ Number Profile::resolution() const {
   if (given_resolution) return *given_resolution;
   if (dialect_resolution) return *dialect_resolution;
   return increment == Increment::isc ? Number::millionths(100) : Number::millionths(1000);
+}
+
+bool Profile::takes_cr_for_blank() const {
+  return readings.is("ngc.lone-cr=blank"_reading);
 }
 
 std::optional<Number> Profile::parameter(std::string_view name) const {

@@ -59,7 +59,7 @@ struct Profile {
   Number resolution() const;
   std::optional<Number> parameter(std::string_view name) const;
   // NGC-COM-13: a carriage return alone ends no line.
-  bool takes_cr_for_blank() const { return readings.is("ngc.lone-cr=blank"_reading); }
+  bool takes_cr_for_blank() const;
   friend bool operator==(const Profile&, const Profile&) = default;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "reference/reading_literal.hpp"
+
 namespace gonogo::reference {
 std::span<const Reading> readings() {
   return catalog::kReadings;
@@ -40,8 +42,8 @@ ReadingChoice::Place ReadingChoice::place_of(const Reading& reading, std::string
 }
 
 ReadingChoice::ReadingChoice() {
-  static const std::array<Place, kReadings> kDefaults = [] {
-    std::array<Place, kReadings> places{};
+  static const std::array<Place, kMostReadings> kDefaults = [] {
+    std::array<Place, kMostReadings> places{};
     for (const Reading& reading : catalog::kReadings) {
       places[index(reading.key)] = place_of(reading, reading.fallback);
     }

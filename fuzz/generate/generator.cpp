@@ -13,6 +13,7 @@
 #include "fuzz/generate/ngc_generator.hpp"
 #include "fuzz/generate/raw_program.hpp"
 #include "fuzz/generate/sinumerik_generator.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/generate/gsk_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 

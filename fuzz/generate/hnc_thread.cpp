@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "fuzz/generate/hnc_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "fuzz/generate/hnc_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 

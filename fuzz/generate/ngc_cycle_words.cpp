@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fuzz/generate/ngc_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 

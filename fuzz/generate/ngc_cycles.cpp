@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "fuzz/generate/ngc_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "fuzz/generate/ngc_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 

@@ -11,6 +11,7 @@
 
 #include "fuzz/generate/ngc_generator.hpp"
 #include "fuzz/generate/program_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 

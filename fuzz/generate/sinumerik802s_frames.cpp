@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fuzz/generate/sinumerik_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 namespace {

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "fuzz/generate/sinumerik_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 

@@ -68,7 +68,7 @@ bool GivenMachine::is_in(const Reproducer& reproducer) const {
 }
 
 std::size_t profile_parts() {
-  return kParts.size() + reference::kReadings;
+  return kParts.size() + reference::readings().size();
 }
 
 std::vector<std::size_t> parts_set(const Profile& profile) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fuzz/identify/variant.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::identify {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "fuzz/identify/variant.hpp"
 #include "reference/dialect.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::identify {
 

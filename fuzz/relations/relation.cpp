@@ -5,6 +5,7 @@
 
 #include "fuzz/relations/related_lines.hpp"
 #include "reference/power_on.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::relations {
 namespace {

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "oracle/steps/step_text.hpp"
 #include "oracle/region/constants.hpp"
+#include "oracle/steps/step_text.hpp"
+#include "reference/clause_literal.hpp"
 
 namespace gonogo::oracle {
 

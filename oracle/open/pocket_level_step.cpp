@@ -8,6 +8,7 @@
 #include "oracle/motion/arc_turns.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/steps/step_text.hpp"
+#include "reference/clause_literal.hpp"
 
 namespace gonogo::oracle {
 

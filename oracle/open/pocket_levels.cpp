@@ -9,6 +9,7 @@
 #include "oracle/region/constants.hpp"
 #include "oracle/region/gouge.hpp"
 #include "oracle/steps/step_text.hpp"
+#include "reference/clause_literal.hpp"
 
 namespace gonogo::oracle {
 

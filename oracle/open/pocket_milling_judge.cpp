@@ -7,6 +7,7 @@
 #include "oracle/motion/curve_follower.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/steps/step_text.hpp"
+#include "reference/clause_literal.hpp"
 
 namespace gonogo::oracle {
 

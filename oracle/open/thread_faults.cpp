@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "oracle/motion/approximate.hpp"
-#include "oracle/steps/step_text.hpp"
 #include "oracle/open/thread_judge.hpp"
+#include "oracle/steps/step_text.hpp"
+#include "reference/clause_literal.hpp"
 
 namespace gonogo::oracle {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/open/thread_judge.hpp"
 
+#include "reference/clause_literal.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
 
 namespace gonogo::oracle {

@@ -3,8 +3,9 @@
 // ThreadJudge's part for the reading gsk.thread.path = arc, or its mirror image: a semicircle on
 // the chord to +rho_0 on p, straight infeed along p, the helix from there; after it along p to the
 // safe position. The run-out is judged as elsewhere.
-#include "oracle/steps/step_text.hpp"
 #include "oracle/open/thread_judge.hpp"
+#include "oracle/steps/step_text.hpp"
+#include "reference/clause_literal.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
 
 namespace gonogo::oracle {

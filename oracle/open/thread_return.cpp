@@ -3,6 +3,7 @@
 // ThreadJudge's part for the way from the run-out to the R plane, to the safe position, and home
 // (J-THR-06, J-THR-09).
 #include "oracle/open/thread_judge.hpp"
+#include "reference/clause_literal.hpp"
 
 namespace gonogo::oracle {
 

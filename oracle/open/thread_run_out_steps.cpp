@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ThreadJudge's part for the run-out at the bottom of a pass (J-THR-05).
-#include "oracle/steps/step_text.hpp"
 #include "oracle/open/thread_judge.hpp"
 #include "oracle/region/constants.hpp"
+#include "oracle/steps/step_text.hpp"
+#include "reference/clause_literal.hpp"
 
 namespace gonogo::oracle {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reference/clause_literal.hpp"
 #include "reference/silent_end.hpp"
 
 namespace gonogo::relation {

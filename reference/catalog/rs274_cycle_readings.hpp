@@ -6,6 +6,7 @@
 #pragma once
 
 #include "reference/catalog/reading.hpp"
+#include "reference/clause_literal.hpp"
 
 namespace gonogo::reference::catalog {
 

@@ -3,9 +3,11 @@
 // GSK-COM-05, G02 and G03: an arc by its radius or by its centre; with the depth axis, a helix.
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/geometry/arc_centre.hpp"
 #include "reference/gsk988ta/machine.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {

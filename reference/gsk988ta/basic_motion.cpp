@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // GSK-COM-05 without arcs: G00, G01, G04, G28, G50.
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/gsk988ta/machine.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::gsk988ta {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/gsk988ta/codes.hpp"
 
+#include "reference/clause_literal.hpp"
 #include "reference/gsk988ta/descriptor.hpp"
 
 namespace gonogo::reference::gsk988ta {

@@ -3,6 +3,7 @@
 
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <fmt/format.h>
 

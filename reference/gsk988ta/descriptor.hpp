@@ -3,6 +3,7 @@
 // The codes and words of the GSK 988TA.
 #pragma once
 
+#include "reference/clause_literal.hpp"
 #include "reference/descriptor.hpp"
 
 namespace gonogo::reference::gsk988ta {

@@ -3,10 +3,12 @@
 // G110 and G111, the circular pocket: roughed layer by layer, clockwise and counterclockwise.
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/pocket_paths.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {

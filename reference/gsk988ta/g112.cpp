@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G112 and G113, the circular pocket: milled along a helix, clockwise and counterclockwise.
+#include "reference/clause_literal.hpp"
 #include "reference/geometry/kernel.hpp"
 #include "reference/gsk988ta/milling.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {

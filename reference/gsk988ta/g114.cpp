@@ -8,10 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {

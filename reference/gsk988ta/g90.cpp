@@ -2,6 +2,7 @@
 //
 // G90, the axial cutting cycle: cylinder and taper, the mirror of G94. From A, where the tool
 // stands, to B, C, D and back.
+#include "reference/clause_literal.hpp"
 #include "reference/gsk988ta/cutting_cycle.hpp"
 
 namespace gonogo::reference::gsk988ta {

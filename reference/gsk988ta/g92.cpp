@@ -5,8 +5,10 @@
 // covered.
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/gsk988ta/cutting_cycle.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {

@@ -2,7 +2,9 @@
 //
 // G94, the radial cutting cycle: face and taper. From A, where the tool stands, to B, C, D and
 // back.
+#include "reference/clause_literal.hpp"
 #include "reference/gsk988ta/cutting_cycle.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::gsk988ta {
 

@@ -3,9 +3,11 @@
 // One block: its codes change the modal state, then the code in force runs.
 #include "reference/gsk988ta/interpreter.hpp"
 
+#include "reference/clause_literal.hpp"
 #include "reference/gsk988ta/machine.hpp"
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/word_use.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {

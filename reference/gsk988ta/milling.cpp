@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {

@@ -6,6 +6,7 @@
 // (GSK-G114-10).
 #include "reference/gsk988ta/thread_path.hpp"
 
+#include "reference/clause_literal.hpp"
 #include "reference/geometry/kernel.hpp"
 
 namespace gonogo::reference::gsk988ta {

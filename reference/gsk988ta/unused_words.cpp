@@ -2,6 +2,7 @@
 //
 // GSK-COM-10, GSK-COM-12: words of a block that the code in force does not use, and speeds and
 // tools below zero. No text says that they are wrong, nor that they are not.
+#include "reference/clause_literal.hpp"
 #include "reference/geometry/arc_centre.hpp"
 #include "reference/gsk988ta/descriptor.hpp"
 #include "reference/gsk988ta/machine.hpp"

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "reference/clause_literal.hpp"
+
 namespace gonogo::reference::gsk988ta {
 namespace {
 

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/geometry/arc_centre.hpp"
 #include "reference/hnc21t/machine.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::hnc21t {
 namespace {

@@ -3,9 +3,11 @@
 // HNC-COM-01 without arcs: G00, G01, G04, G32, G92, and the work offsets.
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/hnc21t/machine.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::hnc21t {
 

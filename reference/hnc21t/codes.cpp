@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/hnc21t/codes.hpp"
 
+#include "reference/clause_literal.hpp"
 #include "reference/hnc21t/descriptor.hpp"
 
 namespace gonogo::reference::hnc21t {

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
+
 namespace gonogo::reference::hnc21t {
 
 void take_command_words(BlockContext& block) {

@@ -3,6 +3,7 @@
 // The codes and words of the HNC-21T lathe.
 #pragma once
 
+#include "reference/clause_literal.hpp"
 #include "reference/descriptor.hpp"
 
 namespace gonogo::reference::hnc21t {

@@ -3,6 +3,7 @@
 // G74, deep drilling of the face: from A, where the tool stands, along Z to the bottom of the hole
 // and back. HNC-G74-04: X and U have no effect; of the three ways that the text announces it
 // describes two.
+#include "reference/clause_literal.hpp"
 #include "reference/hnc21t/pecking.hpp"
 
 namespace gonogo::reference::hnc21t {

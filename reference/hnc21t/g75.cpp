@@ -4,7 +4,9 @@
 // bottom of the groove and out; with a width, again at each step along Z.
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/hnc21t/pecking.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::hnc21t {
 namespace {

@@ -2,6 +2,7 @@
 //
 // G80, the cutting cycle of the inner and outer diameter: cylinder and taper. From A, where the
 // tool stands, to B, C, D and back.
+#include "reference/clause_literal.hpp"
 #include "reference/hnc21t/cycle.hpp"
 
 namespace gonogo::reference::hnc21t {

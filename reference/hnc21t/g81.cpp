@@ -2,6 +2,7 @@
 //
 // G81, the cutting cycle of the face: straight and taper, the mirror of G80. From A, where the tool
 // stands, to B, C, D and back.
+#include "reference/clause_literal.hpp"
 #include "reference/hnc21t/cycle.hpp"
 
 namespace gonogo::reference::hnc21t {

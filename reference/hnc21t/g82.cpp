@@ -5,9 +5,11 @@
 // acceleration constant Q change nothing in the path.
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/hnc21t/cycle.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::hnc21t {
 namespace {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "reference/clause_literal.hpp"
 #include "reference/hnc21t/cycle.hpp"
 #include "reference/hnc21t/word_use.hpp"
 

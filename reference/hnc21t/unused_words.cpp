@@ -2,6 +2,7 @@
 //
 // HNC-COM-07, HNC-COM-04: words of a block that the code in force does not use, and speeds and
 // tools below zero. No text says that they are wrong, nor that they are not.
+#include "reference/clause_literal.hpp"
 #include "reference/hnc21t/machine.hpp"
 #include "reference/hnc21t/word_use.hpp"
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/approach.hpp"
 
+#include "reference/clause_literal.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <algorithm>
 

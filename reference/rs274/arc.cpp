@@ -6,9 +6,11 @@
 
 #include <limits>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/exact/radians.hpp"
 #include "reference/geometry/arc_centre.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/whole.hpp"
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/tool_lengths.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/descriptor.hpp"
 #include "reference/rs274/whole.hpp"
 #include "reference/words.hpp"

@@ -3,6 +3,7 @@
 // The codes and words of RS274/NGC. M functions exclude each other by the language's groups.
 #pragma once
 
+#include "reference/clause_literal.hpp"
 #include "reference/descriptor.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <utility>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/exact/size.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/whole.hpp"
 

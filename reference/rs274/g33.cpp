@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G33, a straight motion in step with the spindle.
+#include "reference/clause_literal.hpp"
 #include "reference/rs274/synchronous.hpp"
 
 namespace gonogo::reference::rs274 {

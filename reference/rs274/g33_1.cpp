@@ -2,6 +2,7 @@
 //
 // G33.1, rigid tapping: in step with the spindle to the point and back. NGC-G331-03: I, the speed
 // of the spindle on the way back, changes nothing of this.
+#include "reference/clause_literal.hpp"
 #include "reference/rs274/synchronous.hpp"
 
 namespace gonogo::reference::rs274 {

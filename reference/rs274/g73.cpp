@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G73, drilling with chip breaking: pecks, each with a short way up.
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/pecking.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G76, threading: passes at growing depth from a drive line, along which the tool ends.
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/thread_passes.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G83, deep drilling: pecks, each with the way out of the hole and back.
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/pecking.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G85, boring, out at the feed.
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/hole_block.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G86, boring, out by a traverse with the spindle stopped.
+#include "reference/clause_literal.hpp"
 #include "reference/rs274/hole_block.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -3,6 +3,7 @@
 // NGC-CYC-08: I0, the level to which G98 returns.
 #pragma once
 
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/machine.hpp"
 
 namespace gonogo::reference::rs274 {

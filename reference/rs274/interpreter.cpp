@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/calculated_words.hpp"
 #include "reference/rs274/m_functions.hpp"
 #include "reference/rs274/machine.hpp"

@@ -7,6 +7,8 @@
 #include <array>
 #include <utility>
 
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/codes.hpp"
 #include "reference/rs274/whole.hpp"
 #include "reference/rs274/words.hpp"

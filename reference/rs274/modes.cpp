@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/rs274/m_functions.hpp"
 #include "reference/rs274/tool_lengths.hpp"

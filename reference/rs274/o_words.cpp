@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "grammar/parser.hpp"
+#include "reference/clause_literal.hpp"
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {

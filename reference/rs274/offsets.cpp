@@ -7,7 +7,9 @@
 
 #include <algorithm>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/tool_lengths.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reference/clause_literal.hpp"
 #include "reference/code.hpp"
 
 namespace gonogo::reference::rs274 {

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
+
 namespace gonogo::reference::rs274 {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "grammar/parser.hpp"
+#include "reference/clause_literal.hpp"
 #include "reference/rs274/o_words.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -33,7 +34,8 @@ OWords::Found OWords::find_numbered(std::int64_t number, Text& text) {
     if (grammar::parse_block(grammar::Dialect::rs274, line.text, scratch_)) scratch_.clear();
     const grammar::Control* const control = scratch_.control ? &*scratch_.control : nullptr;
     const bool is_same = control != nullptr && control->label == std::to_string(number);
-    if (is_same && (is_found || control->kind == grammar::ControlKind::sub)) return Found::another_style;
+    if (is_same && (is_found || control->kind == grammar::ControlKind::sub))
+      return Found::another_style;
     if (scratch_.program_number) {
       if (is_found) break;
       is_found = program_number_of(scratch_) == number;

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
+
 namespace gonogo::reference::rs274 {
 namespace {
 

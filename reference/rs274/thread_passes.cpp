@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/thread_passes.hpp"
 
+#include "reference/clause_literal.hpp"
 #include "reference/rs274/idle.hpp"
 
 namespace gonogo::reference::rs274 {

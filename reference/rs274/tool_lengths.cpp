@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/rs274/whole.hpp"
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/m_functions.hpp"
 
 namespace gonogo::reference::rs274 {

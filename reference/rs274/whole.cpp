@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/whole.hpp"
 
+#include "reference/reading_literal.hpp"
+
 namespace gonogo::reference::rs274 {
 namespace {
 

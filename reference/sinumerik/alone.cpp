@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reference/clause_literal.hpp"
 #include "reference/sinumerik/machine.hpp"
 
 namespace gonogo::reference::sinumerik {

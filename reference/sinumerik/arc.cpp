@@ -3,8 +3,10 @@
 // G2 and G3: the plane of an arc, its form, and the turns of a helix.
 #include "reference/sinumerik/arc.hpp"
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The centre of an arc whose end misses its circle: how far it may, and what is done about it.
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/exact/radians.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/sinumerik/arc.hpp"
 
 namespace gonogo::reference::sinumerik {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The forms of an arc: its centre I J K, CR=, AR=.
+#include "reference/clause_literal.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/sinumerik/arc.hpp"
 
 namespace gonogo::reference::sinumerik {

@@ -3,8 +3,10 @@
 // G0, G1 and G4, and how motions are put out.
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/sinumerik/machine.hpp"
 
 namespace gonogo::reference::sinumerik {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // CIP: a circle in space through an intermediate point. Points are seen from the start.
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/sinumerik/machine.hpp"
 
 namespace gonogo::reference::sinumerik {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/sinumerik/descriptor.hpp"
 #include "reference/sinumerik/names.hpp"
 #include "reference/sinumerik/words.hpp"

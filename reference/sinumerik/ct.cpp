@@ -3,6 +3,7 @@
 // CT: an arc in the plane in force, tangent to the motion before it.
 #include <cstdlib>
 
+#include "reference/clause_literal.hpp"
 #include "reference/exact/radians.hpp"
 #include "reference/exact/size.hpp"
 #include "reference/sinumerik/machine.hpp"

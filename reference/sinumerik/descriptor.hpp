@@ -3,6 +3,7 @@
 // The codes, names and words of SINUMERIK. The 840D has the rows whose features it has.
 #pragma once
 
+#include "reference/clause_literal.hpp"
 #include "reference/descriptor.hpp"
 
 namespace gonogo::reference::sinumerik {

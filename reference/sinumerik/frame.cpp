@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/sinumerik/machine.hpp"
 
 namespace gonogo::reference::sinumerik {

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/range.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/sinumerik/cycle.hpp"
 #include "reference/sinumerik/machine.hpp"
 #include "reference/sinumerik/names.hpp"

@@ -3,6 +3,9 @@
 // LCYC75: rectangular and circular pockets and slots.
 #include "reference/sinumerik/lcyc75.hpp"
 
+#include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
+
 namespace gonogo::reference::sinumerik {
 namespace {
 

@@ -3,8 +3,10 @@
 // SIE-LC75-03, SIE-LC75-08, SIE-LC75-09: what LCYC75 needs, in the order of its parameters.
 #include <fmt/format.h>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/sinumerik/lcyc75.hpp"
 
 namespace gonogo::reference::sinumerik {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // LCYC82: drilling and counterboring with a dwell, where the tool stands.
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/sinumerik/cycle.hpp"

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "reference/clause.hpp"
+#include "reference/clause_literal.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo {

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "reference/clause_literal.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::reference {

@@ -2,6 +2,7 @@
 //
 // The machine profile: its keys and defaults, the two notations, and what is said of a bad one.
 #include "reference/profile.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

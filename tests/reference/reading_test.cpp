@@ -2,6 +2,7 @@
 //
 // The table of readings and how a run of the reference asks it.
 #include "reference/reading.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 //
 // Programs that have to be valid: the reference refuses none, and every cycle is among them.
 #include "fuzz/generate/valid_programs.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <gtest/gtest.h>
 

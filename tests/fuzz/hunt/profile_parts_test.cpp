@@ -2,6 +2,7 @@
 //
 // Machines that a hunt tries, and programs for which no path is right.
 #include "fuzz/hunt/profile_parts.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

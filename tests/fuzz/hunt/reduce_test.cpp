@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/hunt/reduce.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

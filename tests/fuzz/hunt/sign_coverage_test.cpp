@@ -2,6 +2,7 @@
 //
 // Signs of comparisons, as the reference tells them.
 #include "fuzz/hunt/sign_coverage.hpp"
+#include "reference/clause_literal.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/identify/identify.hpp"
 #include "fuzz/generate/choices.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -10,6 +10,7 @@
 
 #include "fuzz/identify/identify.hpp"
 #include "pools.hpp"
+#include "reference/reading_literal.hpp"
 #include "secret_subject.hpp"
 
 namespace gonogo::identify {

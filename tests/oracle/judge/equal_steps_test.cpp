@@ -9,6 +9,7 @@
 #include "oracle/motion/places.hpp"
 #include "oracle/motion/plain_line.hpp"
 #include "oracle/records/trace_reader.hpp"
+#include "reference/clause_literal.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
 #include "tests/trials.hpp"
 

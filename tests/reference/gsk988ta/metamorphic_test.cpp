@@ -10,6 +10,7 @@
 
 #include "metamorphic_layout.hpp"
 #include "metamorphic_trace.hpp"
+#include "reference/clause_literal.hpp"
 
 namespace gonogo::reference::testing {
 namespace {

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "hnc_program.hpp"
+#include "reference/clause_literal.hpp"
 #include "tests/reference/gsk988ta/metamorphic_layout.hpp"
 #include "tests/reference/gsk988ta/metamorphic_trace.hpp"
 

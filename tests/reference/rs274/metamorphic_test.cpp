@@ -9,6 +9,7 @@
 #include <random>
 
 #include "ngc_program.hpp"
+#include "reference/clause_literal.hpp"
 #include "tests/reference/path_trace.hpp"
 
 namespace gonogo::reference::testing::ngc {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ngc_expanding.hpp"
+#include "reference/reading_literal.hpp"
 
 #include <stdexcept>
 

@@ -3,6 +3,7 @@
 // Polar end points and the pole: SIE-POL, SIE-ARC-06, SIE-ARC-10.
 #include <gtest/gtest.h>
 
+#include "reference/clause_literal.hpp"
 #include "sie_expanding.hpp"
 
 namespace gonogo::reference::testing::sie {
