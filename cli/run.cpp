@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 
+#include "campaign/results_lock.hpp"
 #include "cli/arguments.hpp"
 #include "cli/command_guide.hpp"
 #include "cli/commands.hpp"
@@ -13,7 +15,6 @@
 #include "cli/program_file.hpp"
 #include "cli/run.hpp"
 #include "cli/version.hpp"
-#include "campaign/results_lock.hpp"
 #include "corpus/io/corpus.hpp"
 #include "subjects/make_subject.hpp"
 
@@ -94,6 +95,10 @@ int run(int argc, char** argv) {
   } catch (const OutputError& error) {
     if (!error.quiet()) complain("gonogo: {}\n", error.what());
     return kUndecided;
+  } catch (const std::filesystem::filesystem_error& error) {
+    complain("gonogo: {} cannot be made, read or written: {}.\n", error.path1().string(),
+             error.code().message());
+    return is_of_the_place(error.code()) ? kWrongUse : kUndecided;
   } catch (const std::system_error& error) {
     complain("gonogo: {}.\n", error.what());
     return is_of_the_place(error.code()) ? kWrongUse : kUndecided;

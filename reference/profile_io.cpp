@@ -202,6 +202,11 @@ void read_parameters(const Json& table, Profile& profile) {
   }
 }
 
+bool has_code_of_diameters(const std::string& dialect) {
+  return std::ranges::any_of(find_dialect(dialect)->descriptor->codes,
+                             [](const Code& code) { return code.setting == Setting::diameter; });
+}
+
 void read_key(const std::string& name, const Json& value, Profile& profile) {
   if (name == "dialect") return;  // taken first
   if (name == "units") {
@@ -213,8 +218,9 @@ void read_key(const std::string& name, const Json& value, Profile& profile) {
     profile.given_resolution = number_of(value, name);
     if (profile.given_resolution->sign() <= 0) fail(name, "The resolution must be above zero.");
   } else if (name == "x_diameter") {
-    // Where X is a length at power-on a program says that it is a diameter, as G7 does.
-    const bool may_be = profile.x_diameter;
+    // Where X is a length at power-on, and a code makes it a diameter as G7 does, a program says
+    // so.
+    const bool may_be = profile.x_diameter || !has_code_of_diameters(profile.dialect);
     profile.x_diameter = flag_of(value, name);
     if (profile.x_diameter && !may_be) {
       fail(name, fmt::format("X of {} is a length at power-on. Leave it out, or write false.",

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "grammar/parser.hpp"
 
@@ -78,12 +80,15 @@ void check_feed_sign(const WordTable& words, ClauseId clause, std::vector<Alarm>
 }
 
 void sort_by_place(std::vector<Alarm>& alarms) {
-  // Few of them, and std::stable_sort warns under clang-19.
-  for (std::size_t i = 1; i < alarms.size(); ++i) {
-    for (std::size_t k = i; k > 0 && alarms[k].where.begin < alarms[k - 1].where.begin; --k) {
-      std::swap(alarms[k], alarms[k - 1]);
-    }
-  }
+  // std::stable_sort warns under clang-19.
+  std::vector<std::pair<std::uint32_t, std::size_t>> order;
+  for (const Alarm& alarm : alarms) order.emplace_back(alarm.where.begin, order.size());
+  if (std::ranges::is_sorted(order)) return;
+  std::ranges::sort(order);
+  std::vector<Alarm> sorted;
+  sorted.reserve(alarms.size());
+  for (const auto& [begin, place] : order) sorted.push_back(std::move(alarms[place]));
+  alarms = std::move(sorted);
 }
 
 }  // namespace gonogo::reference

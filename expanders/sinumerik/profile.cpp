@@ -12,12 +12,13 @@ std::span<const ProfileTable> Interpreter::profiles() {
     ProfileTable plain;
     plain.standard.dialect = "sinumerik840d";
     plain.motions = "none|0|1|2|3";
+    plain.own_keys = "x_diameter";
     plain.parameters = kParameters;
     plain.readings = std::span(kReadings).first(kReadingsOf840D);
     plain.reach = kReach;
     ProfileTable with_cycles = plain;
     with_cycles.standard.dialect = "sinumerik802s";
-    with_cycles.own_keys = "tools";
+    with_cycles.own_keys = "x_diameter|tools";
     with_cycles.readings = kReadings;
     return std::array{plain, with_cycles};
   }();

@@ -52,6 +52,7 @@ Target cartesian_target(Machine& machine, const Block& block) {
     const bool rotary = (kLinearAxes & axis_bit(axis)) == 0;
     const bool scaled = !rotary || machine.has("inch-rotary-scaled"_fault);
     Real place = scaled ? length_of(machine, block, address) : value.counts;
+    if (axis == GONOGO_X && machine.profile.x_diameter) place /= 2;
     if (is_incremental(state, value.mode)) place += state.position[axis];
     if (in_reach(place)) {
       target.to[axis] = place;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <variant>
@@ -42,6 +43,8 @@ struct ResultsFacts {
   RunAnswer answer;
   std::set<std::string> mapped;           // entries of the alarm map that a case met
   std::vector<std::string> inconsistent;  // lines whose verdict is not what the tally makes of it
+  std::map<std::string, std::size_t> judged;  // cases of the corpus, by dialect
+  bool is_no_go = false;                      // one of them
 };
 
 std::vector<std::string> texts_in(const Json& object, const char* key) {
@@ -62,6 +65,11 @@ ResultsFacts read_results(const std::string& path) {
     const CaseFacts line = facts_of(reader.text());
     if (!line.mapped.empty()) facts.mapped.insert(line.mapped);
     const VerdictKind kind = tally.add(line);
+    const bool is_no_go = decision(kind) == Decision::no_go;
+    if (!is_fresh(head.id) && (is_no_go || decision(kind) == Decision::go)) {
+      ++facts.judged[line.dialect];
+      facts.is_no_go = facts.is_no_go || is_no_go;
+    }
     if (name(kind) == head.verdict) continue;
     facts.inconsistent.push_back(
         fmt::format("{}: the line says {}, but with the readings of the whole run it is {}.",
@@ -74,6 +82,38 @@ ResultsFacts read_results(const std::string& path) {
   facts.answer =
       tally.finish(texts_in(facts.footer, "stale"), conditions_of(facts.header, facts.footer));
   return facts;
+}
+
+// How many fresh programs are wanted follows from the command line, else from the cases judged. A
+// merge has no such command line.
+void check_fresh(const ResultsFacts& facts, std::vector<std::string>& faults) {
+  const Json argv = facts.header.value("argv", Json::array());
+  const bool is_run = std::ranges::count(argv, Json("certify")) > 0;
+  const auto asked = report::option_values(argv, "--fresh");
+  const FreshCounts counts = fresh_from_json(facts.footer.value("fresh", Json::object()));
+  const auto tell = [&](const std::string& told, const std::string& own) {
+    faults.push_back(fmt::format("The footer says fresh programs {}, but {}.", told, own));
+  };
+  const bool is_none = !asked.empty() && asked.back() == "0";
+  const bool are_due = !asked.empty() && !is_none && !facts.is_no_go && !facts.judged.empty();
+  if (counts.empty() && are_due) {
+    tell("none", fmt::format("the command line asks {}", asked.back()));
+  }
+  if (is_run && facts.is_no_go && !counts.empty()) {
+    tell("of a run", "none are asked where a case is NO-GO");
+  }
+  for (const auto& [dialect, count] : counts) {
+    const auto judged = facts.judged.find(dialect);
+    const std::string own = !asked.empty()                 ? asked.back()
+                            : judged == facts.judged.end() ? "0"
+                                                           : std::to_string(judged->second);
+    const bool fits = count.judged <= count.programs && count.programs <= count.wanted;
+    if (!fits || is_none || (is_run && std::to_string(count.wanted) != own)) {
+      tell(fmt::format("{} {} of {}, {} judged", dialect, count.programs, count.wanted,
+                       count.judged),
+           fmt::format("{} are due", own));
+    }
+  }
 }
 
 void check_footer(const ResultsFacts& facts, Findings& findings) {
@@ -92,10 +132,7 @@ void check_footer(const ResultsFacts& facts, Findings& findings) {
             coordinates_json(facts.answer.coordinates));
   }
   compare("decision", footer.value("decision", Json(nullptr)), Json(facts.answer.decision));
-  const auto asked = report::option_values(facts.header.value("argv", Json()), "--fresh");
-  if (!asked.empty() && asked.back() == "0") {
-    compare("fresh programs", footer.value("fresh", Json::object()), Json::object());
-  }
+  check_fresh(facts, faults);
   if (footer.contains("head"))
     compare("head", footer.value("head", Json(nullptr)), Json(facts.answer.head));
   findings.add_list(faults,

@@ -90,6 +90,19 @@ std::string trace_fault(const Json& line, const CaseRow& row, const SessionVerdi
                        name(told), name(kind), now.verdict.message);
   }
   if (told != kind || decision(kind) != Decision::go) return {};
+  // Of a pass that the readings of the run make none, the line says more.
+  if (row.kind == kind) {
+    for (const char* key : {"rule", "gap", "departure", "clause", "want", "got", "record",
+                            "deviation", "witness", "message"}) {
+      if (line.contains(key)) return fmt::format("{}: a pass has no {}.", row.id, key);
+    }
+    const Json counted = now.verdict.coordinates ? now.verdict.coordinates->json() : Json();
+    const Json was = line.value("coordinates", Json());
+    if (was != counted) {
+      return fmt::format("{}: the coordinates were {}, but derived from the trace they are {}.",
+                         row.id, dump(was), dump(counted));
+    }
+  }
   const auto open = open_readings(now);
   const Json explaining = open ? Json(open->explaining) : Json::array();
   const Json was = line.value("readings", Json::object()).value("explaining", Json::array());

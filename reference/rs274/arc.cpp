@@ -168,7 +168,8 @@ void check_radii(BlockContext& block, const OffsetCentre& arc, char address) {
   }
   if (faults.apart) {
     block.alarm(AlarmClass::arc_end_point, clause, address,
-                radii_apart(arc, axes_of(block.machine.plane), false) + allowed_apart(inch));
+                radii_apart(arc, axes_of(block.machine.plane), block.machine.modes.diameter) +
+                    allowed_apart(inch));
   }
 }
 

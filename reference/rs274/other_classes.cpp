@@ -18,12 +18,14 @@ bool is_at_code(const Alarm& alarm) {
   return alarm.word == WordName('G') || alarm.word == WordName('M');
 }
 
-// The word that the alarm is at; null: one that is missing, or none.
+// The word that the alarm is at; null: one that is missing, or none. Words stand as they were
+// written.
 const grammar::Word* word_of(const grammar::Block& block, const Alarm& alarm) {
-  const auto found = std::ranges::find_if(block.words, [&](const grammar::Word& word) {
-    return alarm.word == WordName(word.address) && alarm.where.begin == word.where.begin;
-  });
-  return found == block.words.end() ? nullptr : &*found;
+  const auto begin = [](const grammar::Word& word) { return word.where.begin; };
+  const auto found = std::ranges::lower_bound(block.words, alarm.where.begin, {}, begin);
+  const bool is_there = found != block.words.end() && begin(*found) == alarm.where.begin &&
+                        alarm.word == WordName(found->address);
+  return is_there ? &*found : nullptr;
 }
 
 // J-ALM-04: one thing that has two names.

@@ -29,7 +29,7 @@ bool check_radii(BlockContext& block, const OffsetCentre& radii, const PlaneAxes
   }
   block.alarm(
       AlarmClass::arc_end_point, "SIE-ARC-07"_clause, word,
-      radii_apart(radii, axes, false) +
+      radii_apart(radii, axes, block.machine.modes.diameter) +
           with_values(" The larger of {} mm and {} times the radius at the start is allowed.",
                       {most, part}));
   return false;
@@ -122,6 +122,7 @@ std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& a
                                         const ArcCentre& centre, WordName word) {
   const ArcEnds ends = arc.ends();
   OffsetCentre radii(ends, centre.offset);
+  radii.centre = centre.at;  // for people: the offset is from the start
   if (const auto known = known_start(block.machine, arc, centre)) radii.start_2 = fine_2(*known);
   const Vector_2 to_end = from_centre_to_end(arc.axes, centre.at, centre.offset, arc.end);
   radii.end_2 = fine_2(centre.end_2.value_or(to_end.squared_length()));

@@ -87,6 +87,7 @@ Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings, 
   machine_.spindle = profile.initial.spindle;
   machine_.speed_given = machine_.spindle != 5;
   machine_.modes.inch = profile.units == Units::inch;
+  machine_.modes.diameter = profile.x_diameter;
 }
 
 void Interpreter::stand_at(const Position& position) {
@@ -270,6 +271,30 @@ void Interpreter::take_modes(BlockContext& block) {
   if (codes.motion) machine_.motion = codes.motion;
 }
 
+// The texts have no diameters. A machine that is set so takes X of an end as one; what else it
+// takes as one they do not say.
+void leave_out_diameters(BlockContext& block) {
+  const BlockWords& words = block.words;
+  const auto leave_out = [&](Address address, std::string_view what) {
+    if (block.out.not_covered) return;
+    const WordName name = name_of(address);
+    block.out.not_covered =
+        NotCovered{block.line, std::string(name.text()),
+                   fmt::format("No text says whether {} is a diameter, as X of an end is.", what),
+                   words.place_of(name).value_or(words.behind())};
+  };
+  const BlockCodes& codes = block.codes;
+  const bool is_offset = codes.once >= 0 && codes.once != 4;
+  if (is_offset && words.has(Address::x)) leave_out(Address::x, "X of a frame or a pole");
+  if (words.is_polar()) leave_out(Address::rp, "a polar radius");
+  if (words.has(Address::i1)) leave_out(Address::i1, "I1");
+  if (words.has(Address::i) && words.dimension(Address::i) == grammar::Dimension::absolute) {
+    leave_out(Address::i, "I of a place");
+  }
+  const bool goes_along_x = codes.cycle == Cycle::lcyc75 || block.machine.plane == Plane::g19;
+  if (codes.cycle != Cycle::none && goes_along_x) leave_out(Address::r, "a parameter along X");
+}
+
 // SIE-MOD-02
 Motion Interpreter::motion_in_force() const {
   if (machine_.motion) return *machine_.motion;
@@ -352,6 +377,11 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   }
   if (complete) {
     take_modes(context);
+    if (machine_.modes.diameter) leave_out_diameters(context);
+    if (out.not_covered) {
+      out.alarms.clear();
+      return;
+    }
     if (reading_.codes.cycle != Cycle::none) {
       run_cycle(context);
     } else if (reading_.codes.once >= 0) {

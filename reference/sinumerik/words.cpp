@@ -63,7 +63,9 @@ AxisWord BlockWords::point_word(Address address, Axis axis) const {
   const Dimension how = dimension(address);
   const bool incremental =
       how == Dimension::as_in_force ? modes_.incremental : how == Dimension::incremental;
-  return {incremental, is_linear(axis) ? length(address) : written(address)};
+  if (!is_linear(axis)) return {incremental, written(address)};
+  const bool is_diameter = address == Address::x && modes_.diameter;
+  return {incremental, is_diameter ? length(address) / 2 : length(address)};
 }
 
 AxisWord BlockWords::centre_word(Axis axis) const {

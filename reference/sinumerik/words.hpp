@@ -58,10 +58,11 @@ WordName name_of(Address address);
 // The address of a word; nothing when its name is none, or it has not the form of a word.
 std::optional<Address> address_of(const grammar::NamedWord& word);
 
-// How words are meant: G70, G91.
+// How words are meant: G70, G91; and X by a setting of the machine, DIAMON.
 struct WordModes {
   bool inch = false;
   bool incremental = false;
+  bool diameter = false;
 };
 
 // The last word of an address that stands several times.

@@ -35,9 +35,18 @@ TEST(SinumerikConfiguration, DefaultsWrittenOutAreAccepted) {
             GONOGO_OK);
 }
 
+// X of an end, absolute or not; the centre is a length.
+TEST(SinumerikConfiguration, XIsADiameterWhereTheMachineSaysSo) {
+  const char* profile = R"({"x_diameter":true})";
+  EXPECT_EQ(run_sinumerik("G0 X20 Y3\nG91 X10\n", profile).motions(),
+            "rapid x=10 y=3\nrapid x=15\n");
+  EXPECT_EQ(run_sinumerik("G2 X20 Y0 I5 J0 F1\n", profile).motions(),
+            "arc17 c=5,0 rot=-1 x=10 y=0 f=1\n");
+}
+
 TEST(SinumerikConfiguration, WhatIsNotImplementedIsRefused) {
   for (const char* profile :
-       {R"({"x_diameter":true})", R"({"offsets":{"G54":{"x":"1"}}})",
+       {R"({"x_diameter":1})", R"({"offsets":{"G54":{"x":"1"}}})",
         R"({"initial":{"motion":"G04"}})", R"({"readings":{"sie.arc.correct":"other"}})",
         R"({"readings":{"hnc.g75.i":"I"}})", R"({"alarm_timing":"program"})", R"({"unknown":1})",
         R"({"initial":{"f":"-1"}})", R"({"parameters":{"3410":"1"}})",

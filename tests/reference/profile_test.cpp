@@ -256,11 +256,9 @@ TEST(Profile, AFlagIsTrueOrFalse) {
   json_refused(R"({"x_diameter":null})", "x_diameter", {"true", "false"});
 }
 
-TEST(Profile, ADiameterIsRefusedWhereXIsALengthAtPowerOn) {
-  for (const char* dialect : {"rs274", "sinumerik840d", "sinumerik802s"}) {
-    json_refused(fmt::format(R"({{"dialect":"{}","x_diameter":true}})", dialect), "x_diameter",
-                 {dialect, "length"});
-  }
+// G7 of rs274 says it in the program.
+TEST(Profile, ADiameterIsRefusedWhereXIsALengthAtPowerOnAndACodeMakesItOne) {
+  json_refused(R"({"dialect":"rs274","x_diameter":true})", "x_diameter", {"rs274", "length"});
 }
 
 TEST(Profile, NoOffsetsAreNamedWhereADialectHasNone) {

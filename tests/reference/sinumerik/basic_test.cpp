@@ -27,6 +27,20 @@ TEST(SieBasic, AcAndIcGoBeforeTheModeInForce) {
   EXPECT_EQ(line("G0 G91 X10\nX10\nG90 X1", 2), "rapid x1");
 }
 
+// By a setting of the machine: X of an end, whatever the mode and the unit; I and CR are lengths.
+TEST(SieBasic, XIsADiameterWhereTheMachineSaysSo) {
+  Profile profile = sie();
+  profile.x_diameter = true;
+  EXPECT_EQ(path("G0 X20 Y3\nG91 X10\nX=AC(8)\nG70 G90 X2", profile),
+            (Lines{"rapid x10 y3", "rapid x15", "rapid x4", "rapid x25.4"}));
+  EXPECT_EQ(centre(last_motion("G1 F100 Y0\nG2 X20 Y0 I5 J0", profile)), "5.000000000,0.000000000");
+  EXPECT_EQ(centre(last_motion("G1 F100 Y0\nG2 X20 Y0 CR=5", profile)), "5.000000000,0.000000000");
+  EXPECT_EQ(outcome("G0 X20\nG111 X5", profile), "not-covered X");
+  EXPECT_EQ(outcome("G0 RP=5 AP=0", profile), "not-covered RP");
+  EXPECT_EQ(outcome("CIP X10 Y0 I1=5 J1=5", profile), "not-covered I1");
+  EXPECT_EQ(outcome("G2 X10 Y0 I=AC(5) J0", profile), "not-covered I");
+}
+
 // SIE-MOD-07
 TEST(SieBasic, TheCodesOfTheCuttingSpeedChooseTheFeedToo) {
   EXPECT_EQ(path("G96 S120\nG1 X1 F0.2\nG97 S800\nX2\nG961 S90 F50\nX3\nG971\nX4"),
