@@ -110,8 +110,8 @@ TEST_F(AllocationFailureInFiles, LeavesAVerdictOfACertificateRight) {
   test.profile = std::get<reference::Profile>(reference::default_profile("rs274"));
   const auto header =
       ResultsReader::Json::parse(R"({"subject":{"spec":"pipe:./acme","features":["blocks"]}})");
-  const auto line =
-      ResultsReader::Json::parse(R"({"id":"a.1","dialect":"rs274","verdict":"pass-exact"})");
+  const auto line = ResultsReader::Json::parse(
+      R"({"id":"a.1","dialect":"rs274","verdict":"pass-exact","coordinates":{"exact":3}})");
   const auto work = [&] {
     evidence::VerdictsAgain verdicts(header, folder(), {});
     verdicts.take(line, &test);
