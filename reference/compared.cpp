@@ -14,6 +14,7 @@ constexpr int kMostDecimals = 16;
 
 struct ValueText {
   std::string digits;
+  std::string rounded;
   bool is_exact = false;
 };
 
@@ -24,22 +25,23 @@ std::string without_trailing_zeros(std::string decimal) {
 }
 
 ValueText text_of_value(const exact::Number& value, int decimals) {
+  std::string rounded = without_trailing_zeros(value.decimal_text(decimals));
   if (value.is_rational()) {
     std::string text = value.text();
     const bool is_whole = text.find_first_of("./") == std::string::npos;
     const std::size_t longest = is_whole ? kLongestWhole : kLongestExact;
     if (text.size() <= longest && text.find('/') == std::string::npos) {
-      return {std::move(text), true};
+      return {std::move(text), std::move(rounded), true};
     }
   }
-  return {without_trailing_zeros(value.decimal_text(decimals)), false};
+  return {rounded, rounded, false};
 }
 
-// Whether a rounded text is that of another value.
+// Whether a rounded text is that of another value, rounded as well.
 bool hides_a_difference(const std::vector<ValueText>& texts) {
   for (auto one = texts.begin(); one != texts.end(); ++one) {
     for (auto other = texts.begin(); other != one; ++other) {
-      if (one->digits == other->digits && !(one->is_exact && other->is_exact)) return true;
+      if (one->rounded == other->rounded && !(one->is_exact && other->is_exact)) return true;
     }
   }
   return false;

@@ -165,6 +165,10 @@ void Correspondence::expand(const Place& place, const Reached& reached) {
     for (const Interval& entry : of_got) traverse(place, entry);
   }
   pass_over_reference(place, std::move(of_got));
+  // Without lines a motion may go on into what is not covered.
+  const bool is_outside = want.part == Part::close && !tolerances_.compare_blocks &&
+                          std::holds_alternative<reference::NotCovered>(*want.item);
+  if (is_outside) return close(place);
   if (!is_corner) return;
   if (got.part == Part::stop) match_stop(place);
   if (want.part == Part::renaming) rename(place);

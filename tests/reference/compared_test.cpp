@@ -29,6 +29,9 @@ TEST(Compared, ValuesThatDifferHaveTextsThatDiffer) {
   // 2000101/3000000 = 0.66670033...
   EXPECT_EQ(with_values("{} < {}", {number("0.6667"), number("2000101/3000000")}),
             "0.6667 < about 0.66670033");
+  // The root of 2 is 1.41421356...; the decimal beside it is rounded to as many places, too.
+  EXPECT_EQ(with_values("{} for {}", {number("1.414215"), Number::root(0, 1, 2)}),
+            "1.414215 for about 1.41421356");
 }
 
 }  // namespace

@@ -1035,6 +1035,17 @@ TEST(R9Undecided, AnOpenLengthIsTriedBesideEachCombination) {
       kGo);
 }
 
+// Behind line 1 nothing is known; with lines the motion is of line 1 and too long.
+TEST(R9Undecided, WithoutLinesAMotionMayGoOnIntoWhatIsNotCovered) {
+  const auto along = [](std::string_view line, bool blocks) {
+    return decided("G00 X20\nG55\nX60\n",
+                   fmt::format(R"({{"k":"rapid",{}"to":{{"x":"30"}}}})", line),
+                   {.dialect = "gsk988ta", .blocks = blocks});
+  };
+  EXPECT_EQ(along("", false), "oracle-gap not-covered");
+  EXPECT_TRUE(along(R"("b":1,)", true).starts_with("fail"));
+}
+
 TEST(R9Undecided, AnArcWhoseEndsAgreeMayHaveTwoReadings) {
   EXPECT_EQ(decided(kCircle, full_turn(kCentre, -1, R"("x":"10","y":"0.0001")")),
             "oracle-gap two-readings");
