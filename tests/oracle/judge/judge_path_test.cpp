@@ -124,7 +124,7 @@ TEST(PathJudge, ARenamedPositionHoldsForBothSides) {
 // does, named anew.
 TEST(PathJudge, WithoutLineNumbersAMotionToANewNameIsAMotion) {
   constexpr std::string_view kProgram = "G98 F100\nG01 X20\nG50 X0\nG01 X20\nM30\n";
-  const auto along = [&](std::vector<double> places, bool blocks) {
+  const auto along = [&](const std::vector<double>& places, bool blocks) {
     TraceText trace(2, 100);
     for (const double x : places) trace.feed({{'x', x}});
     return decision(judge_trace(kProgram, trace.text(), {.blocks = blocks}).kind);
