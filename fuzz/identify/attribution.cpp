@@ -220,6 +220,8 @@ bool contradict(const std::vector<Cause>& equal) {
 }
 
 bool is_likely(const Cause& cause, const Attribution& all) {
+  constexpr std::size_t kChance = 1;  // departures for which some word misread always serves
+  if (cause.is_misread && cause.departures <= kChance) return false;
   return cause.is_misread ? 4 * cause.departures >= 3 * all.departures
                           : 2 * cause.departures > all.departures;
 }
@@ -229,7 +231,9 @@ bool is_likely(const Cause& cause, const Attribution& all) {
 oracle::Cause likely_cause(const Attribution& all) {
   constexpr std::size_t kFew = 3;  // departures that tell few mistakes apart
   constexpr std::size_t kShownRivals = 3;
-  std::vector<Cause> equal = all.complete;
+  std::vector<Cause> equal;
+  std::ranges::copy_if(all.complete, std::back_inserter(equal),
+                       [&](const Cause& cause) { return is_likely(cause, all); });
   const bool is_whole = !equal.empty();
   for (const Cause& cause : all.partial) {
     if (is_whole || cause.passes != all.passes() || !is_likely(cause, all)) continue;

@@ -47,8 +47,8 @@ Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
                       const ProgramAsked& asked, const AttributionOptions& options);
 
 // The simplest of those that explain most. Empty: no mistake explains more than half of what
-// departs, three quarters of it where a word or a code is misread, and all that passes; or too many
-// do for what was seen.
+// departs, three quarters of it and two programs where a word or a code is misread, and all that
+// passes; or too many do for what was seen.
 oracle::Cause likely_cause(const Attribution& attribution);
 
 std::string attribution_text(const Attribution& attribution);
