@@ -34,12 +34,20 @@ std::string spliced(std::string_view changed, std::string_view original, std::ui
   return text;
 }
 
+bool is_same_but_for_case(std::string_view a, std::string_view b) {
+  const auto capital = [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  };
+  return std::ranges::equal(a, b, {}, capital, capital);
+}
+
 // A line that cannot be read stays as it is, and so does one of comments alone.
 std::string printed(grammar::Dialect dialect, std::string line) {
   grammar::Block block;
   if (grammar::parse_block(dialect, line, block)) return line;
   std::string text = grammar::print(dialect, block);
-  return text.empty() ? line : text;
+  // Small letters are read, and may be what the subject does not read.
+  return text.empty() || is_same_but_for_case(line, text) ? line : text;
 }
 
 // The program as the grammar prints it, where it means the same: mistakes are of words and codes,
@@ -139,6 +147,7 @@ void add_misread(void (*add)(const Observation&, Variants&), const Observation& 
 Variants variants_for(const Observation& departure) {
   Variants variants;
   add_alarm_variants(departure, variants);
+  add_limit_variants(departure, variants);
   add_clause_variants(departure, variants);
   add_machine_variants(departure, variants);
   add_record_variants(departure, variants);

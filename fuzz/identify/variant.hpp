@@ -79,6 +79,8 @@ std::set<std::string> addresses_with(const reference::Descriptor& table,
                                      bool rotary = false);
 // Addresses whose words one mistake is likely to meet together.
 std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& table);
+// The word of a cycle's taper, where it has but one length with a sign. Null: it has none or more.
+const reference::CodeWord* taper_of(const reference::Code& code);
 // R105 and similar ones.
 bool is_parameter(const std::string& name);
 // "G110 G111"
@@ -99,6 +101,8 @@ void add_modal_variants(const Observation& departure, Variants& out);
 void add_record_variants(const Observation& departure, Variants& out);
 // A rule that is not checked.
 void add_alarm_variants(const Observation& departure, Variants& out);
+// A limit that its own value counts as beyond, or not.
+void add_limit_variants(const Observation& departure, Variants& out);
 // A motion that a clause asks for of another kind, or left out.
 void add_clause_variants(const Observation& departure, Variants& out);
 // Coordinates rounded; motions left out; sums in binary floating point.
