@@ -111,20 +111,6 @@ void add_senses(const reference::Descriptor& table, const std::set<std::string>&
   }
 }
 
-// The word of a cycle's taper, where it has but one length with a sign.
-const reference::CodeWord* taper_of(const Code& code) {
-  const reference::CodeWord* taper = nullptr;
-  if (code.kind != Kind::cycle) return nullptr;
-  for (const auto& list : code.words) {
-    for (const reference::CodeWord& word : list) {
-      if (word.role < reference::Role::along_p || word.role > reference::Role::along_d) continue;
-      if (taper != nullptr) return nullptr;
-      taper = &word;
-    }
-  }
-  return taper;
-}
-
 void add_facing(const Code& code, const Code& other, Variants& out) {
   const std::string taper(taper_of(code)->address);
   const std::string other_taper(taper_of(other)->address);
@@ -172,7 +158,32 @@ const Code* other_of_two(const reference::Descriptor& table, const Code& code) {
   return other;
 }
 
+// An M function that is passed on, but not where it stands beside one of the codes.
+void add_lost_function(const Code& function, const Motions& motions, Variants& out) {
+  add_codes(
+      fmt::format("{} of {} is ignored", function.name, names_of(motions)),
+      [name = std::string(function.name), motions](
+          const TextBlock& block, const std::string& word) -> std::optional<std::string> {
+        const bool is_meant = word == name && motions.contains(block.modes.code_name());
+        return is_meant ? std::optional<std::string>("") : std::nullopt;
+      },
+      out);
+}
+
 }  // namespace
+
+const reference::CodeWord* taper_of(const Code& code) {
+  const reference::CodeWord* taper = nullptr;
+  if (code.kind != Kind::cycle) return nullptr;
+  for (const auto& list : code.words) {
+    for (const reference::CodeWord& word : list) {
+      if (word.role < reference::Role::along_p || word.role > reference::Role::along_d) continue;
+      if (taper != nullptr) return nullptr;
+      taper = &word;
+    }
+  }
+  return taper;
+}
 
 void add_code_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
@@ -187,7 +198,15 @@ void add_code_variants(const Observation& departure, Variants& out) {
     if (other != nullptr && other > &code) add_exchanged(code.name, other->name, std::nullopt, out);
   }
   add_all_facing(table, out);
+  const std::vector<Motions> concerned = motions_concerned(departure);
   for (const std::string& code : codes) {
+    // The simplest goes first.
+    add_codes(
+        fmt::format("{} is ignored", code),
+        [=](const TextBlock&, const std::string& word) -> std::optional<std::string> {
+          return word == code ? std::optional<std::string>("") : std::nullopt;
+        },
+        out);
     const std::size_t point = code.find('.');
     if (point != std::string::npos) add_taken_for(code, code.substr(0, point), out);
     // A code that ends or sets something is not taken for a motion.
@@ -197,12 +216,8 @@ void add_code_variants(const Observation& departure, Variants& out) {
       const bool can_be = moves && is_confusable(other) && code != other.name;
       if (can_be) add_taken_for(code, std::string(other.name), out);
     }
-    add_codes(
-        fmt::format("{} is ignored", code),
-        [=](const TextBlock&, const std::string& word) -> std::optional<std::string> {
-          return word == code ? std::optional<std::string>("") : std::nullopt;
-        },
-        out);
+    if (own == nullptr || !own->is_m()) continue;
+    for (const Motions& motions : concerned) add_lost_function(*own, motions, out);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <set>
@@ -43,6 +44,10 @@ bool in_thread(const TextBlock& block) {
   return block.modes.in_thread();
 }
 
+bool in_dwell(const TextBlock& block) {
+  return block.modes.is_of(Kind::dwell);
+}
+
 bool in_no_thread(const TextBlock& block) {
   return !block.modes.in_thread() && block.modes.code() != nullptr;
 }
@@ -59,6 +64,8 @@ std::optional<std::string> leaked(const ProgramText& program,
       const TextWord* word = block.find(address);
       if (word == nullptr && to(block) && last.contains(address)) more += " " + last[address];
       if (word != nullptr && from(block)) last[address] = word->text;
+      // A word of its own ends what came from the other kind.
+      if (word != nullptr && !from(block) && to(block)) last.erase(address);
     }
     return more;
   });
@@ -73,7 +80,9 @@ struct Passed {
 std::vector<Passed> passed_by(const reference::Descriptor& table) {
   const std::set<Kind> motions = {Kind::traverse, Kind::line, Kind::arc, Kind::circle};
   const std::set<Kind> others = {Kind::reference_point, Kind::rename};
-  std::vector<Passed> all = {{"motions", motions}, {"reference points and coordinates", others}};
+  std::vector<Passed> all = {{"motions", motions},
+                             {"straight motions", {Kind::traverse, Kind::line}},
+                             {"reference points and coordinates", others}};
   if (const reference::Code* off = table.find(Kind::off)) {
     std::set<Kind> both = motions;
     both.insert(Kind::off);
@@ -108,10 +117,14 @@ std::optional<std::string> retained_past(const ProgramText& program,
       return more;
     }
     for (const std::string& address : addresses) {
-      if (const TextWord* word = block.find(address)) {
+      const reference::CodeWord* const meant = block.modes.code()->find(address);
+      const TextWord* const word = block.find(address);
+      // The same letter may be a number of times to another cycle.
+      if (meant != nullptr && meant->role == reference::Role::count) continue;
+      if (word != nullptr) {
         given[address] = word->text;
         kept.erase(address);
-      } else if (kept.contains(address)) {
+      } else if (meant != nullptr && kept.contains(address)) {
         more += " " + kept[address];
       }
     }
@@ -161,6 +174,32 @@ std::optional<std::string> stuck(const ProgramText& program, const std::string& 
                   if (name_of(word) != address || !repeats) return std::nullopt;
                   return "";
                 });
+}
+
+// A later block of a cycle names one axis: the others of the cycle do not move, where they have the
+// last end point. A way of nothing says so.
+std::optional<std::string> standing_still(const ProgramText& program, const Motions& motions) {
+  constexpr std::array<std::pair<const char*, const char*>, 3> kPlacesAndWays = {
+      {{"X", "U"}, {"Y", "V"}, {"Z", "W"}}};
+  std::set<std::string> ways;  // along the axes that the cycle has named so far
+  return edited_in_order(program, [&](const TextBlock& block) -> std::string {
+    if (block.modes.is_of(Kind::dwell)) return "";
+    if (!motions.contains(block.modes.code_name())) {
+      ways.clear();
+      return "";
+    }
+    std::string more;
+    bool moves = false;
+    for (const auto& [place, way] : kPlacesAndWays) {
+      const reference::CodeWord* const word = block.modes.code()->find(way);
+      if (word == nullptr || word->role != reference::Role::way) continue;
+      const bool is_given = block.find(place) != nullptr || block.find(way) != nullptr;
+      moves = moves || is_given;
+      if (is_given) ways.insert(way);
+      if (!is_given && ways.contains(way)) more += fmt::format(" {}0", way);
+    }
+    return moves ? more : "";
+  });
 }
 
 // A code of motion is forgotten with its block: the next one without a code is `instead`.
@@ -265,6 +304,14 @@ void add_leaks(const reference::Descriptor& table, const std::set<std::string>& 
   }
 }
 
+std::set<std::string> tapers_of(const reference::Descriptor& table) {
+  std::set<std::string> tapers;
+  for (const reference::Code& code : table.codes) {
+    if (const reference::CodeWord* const taper = taper_of(code)) tapers.emplace(taper->address);
+  }
+  return tapers;
+}
+
 // Words of cycles that stand in the program, each alone and all together.
 void add_retained(const reference::Descriptor& table, const std::set<std::string>& addresses,
                   Variants& out) {
@@ -277,6 +324,12 @@ void add_retained(const reference::Descriptor& table, const std::set<std::string
   std::vector<std::pair<std::string, std::set<std::string>>> sets;
   for (const std::string& address : all) sets.push_back({address + " of a cycle", {address}});
   if (all.size() > 1) sets.push_back({"what a cycle retains", all});
+  // The tapers of all cycles, where one variable keeps them.
+  std::set<std::string> tapers = tapers_of(table);
+  if (tapers.size() > 1) {
+    const std::string names = fmt::format("{} of a cycle", fmt::join(tapers, " "));
+    sets.push_back({names, std::move(tapers)});
+  }
   for (const auto& [what, set] : sets) {
     for (const Passed& passed : passed_by(table)) {
       add_text(
@@ -310,6 +363,9 @@ void add_mode_slips(Variants& out) {
   add_text(
       "the feed serves as the lead of a thread without F",
       [](const ProgramText& text) { return leaked(text, {"F"}, in_no_thread, in_thread); }, out);
+  add_text(
+      "F of a dwell becomes the feed",
+      [](const ProgramText& text) { return leaked(text, {"F"}, in_dwell, in_no_thread); }, out);
   add_text("G91 has no effect after G90", latched, out);
   add_text("after a dwell no motion code is in force", no_motion_after_dwell, out);
 }
@@ -385,6 +441,12 @@ void add_modal_variants(const Observation& departure, Variants& out) {
   add_retained(*program.table, named.addresses, out);
   add_leaks(*program.table, named.addresses, out);
   add_lost_words(named.addresses, out);
+  for (const Motions& motions : motions_concerned(departure)) {
+    add_text(
+        fmt::format("an axis that a later block of {} does not name does not move",
+                    names_of(motions)),
+        [motions](const ProgramText& text) { return standing_still(text, motions); }, out);
+  }
   add_mode_slips(out);
   add_late_words(named.addresses, out);
   add_forgotten_motions(*program.table, named.motions, out);
