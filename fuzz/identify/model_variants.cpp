@@ -284,14 +284,22 @@ bool leave_out(const Observation& seen, KeptOutcome& model, const Motions& motio
   return changed;
 }
 
+// Leaves out the dwells of the codes.
+bool go_without_dwells(const Observation& seen, KeptOutcome& model, const Motions& motions) {
+  const ProgramText program(seen.profile, seen.program);
+  return std::erase_if(model.records, [&](const Record& record) {
+           return record.kind == RecordKind::dwell && is_of(program, record.block, motions);
+         }) > 0;
+}
+
 // Everything from the first line with a small letter on is an alarm.
 bool refuse_small_letters(const Observation& seen, KeptOutcome& model) {
   const ProgramText program(seen.profile, seen.program);
   for (std::size_t i = 0; i < program.blocks.size(); ++i) {
     const TextBlock& block = program.blocks[i];
     const bool small = std::ranges::any_of(block.words, [](const TextWord& word) {
-      const char c = word.text.front();
-      return c >= 'a' && c <= 'z';
+      return !is_comment(word) &&
+             std::ranges::any_of(word.text, [](char c) { return c >= 'a' && c <= 'z'; });
     });
     if (!small) continue;
     std::erase_if(model.records, [&](const Record& record) { return record.block >= i + 1; });
@@ -303,7 +311,77 @@ bool refuse_small_letters(const Observation& seen, KeptOutcome& model) {
   return false;
 }
 
+// The first block that runs a cycle and takes the word from a block before it; 0: there is none.
+std::uint64_t first_without(const ProgramText& program, const std::string& address) {
+  bool was_given = false;
+  for (std::size_t i = 0; i < program.blocks.size(); ++i) {
+    const TextBlock& block = program.blocks[i];
+    if (!block.modes.in_cycle()) {
+      was_given = was_given && block.modes.code() == nullptr;
+      continue;
+    }
+    if (block.modes.code()->find(address) == nullptr) continue;
+    const bool runs = std::ranges::any_of(block.words, [&](const TextWord& word) {
+      const reference::CodeWord* const role = block.modes.code()->find(name_of(word));
+      return role != nullptr &&
+             (role->role == reference::Role::place || role->role == reference::Role::way);
+    });
+    if (block.find(address) != nullptr) {
+      was_given = true;
+    } else if (was_given && runs) {
+      return i + 1;
+    }
+  }
+  return 0;
+}
+
+// A word that a cycle retains is asked for again: the block that lacks it is an alarm.
+bool ask_again(const Observation& seen, KeptOutcome& model, const std::string& address) {
+  const ProgramText program(seen.profile, seen.program);
+  const std::uint64_t line = first_without(program, address);
+  const bool is_over =
+      model.end.kind == oracle::RunEnd::Kind::alarm && model.end.alarm.block < line;
+  if (line == 0 || is_over) return false;
+  std::erase_if(model.records, [&](const Record& record) { return record.block >= line; });
+  model.end.kind = oracle::RunEnd::Kind::alarm;
+  model.end.alarm.block = line;
+  model.end.alarm.alarm_class = "missing-word";
+  return true;
+}
+
+// Words that a cycle of the program takes.
+std::set<std::string> words_of_cycles(const ProgramText& program) {
+  std::set<std::string> addresses;
+  for (const TextBlock& block : program.blocks) {
+    if (!block.modes.in_cycle()) continue;
+    for (const TextWord& word : block.words) {
+      const std::string name = name_of(word);
+      if (is_word(word) && block.modes.code()->find(name) != nullptr) addresses.insert(name);
+    }
+  }
+  return addresses;
+}
+
+void add_asked_again(const Observation& departure, Variants& out) {
+  if (departure.verdict.kind != oracle::VerdictKind::fail_alarm_spurious) return;
+  const ProgramText program(departure.profile, departure.program);
+  for (const std::string& address : words_of_cycles(program)) {
+    add_model(
+        fmt::format("{} has to stand in every block of a cycle", address),
+        [=](const Observation& seen, KeptOutcome& model) {
+          return ask_again(seen, model, address);
+        },
+        out);
+  }
+}
+
 void add_left_out(const Motions& motions, Variants& out) {
+  add_model(
+      fmt::format("the dwells of {} are left out", names_of(motions)),
+      [=](const Observation& seen, KeptOutcome& model) {
+        return go_without_dwells(seen, model, motions);
+      },
+      out);
   for (const auto& [name, place] :
        {std::pair("first", 0), std::pair("last", -1), std::pair("last but one", -2)}) {
     add_model(
@@ -366,6 +444,7 @@ void add_model_variants(const Observation& departure, Variants& out) {
   }
   add_model("an arc that ends where it begins is no motion", drop_full_circles, out);
   add_model("small letters are refused", refuse_small_letters, out);
+  add_asked_again(departure, out);
   add_roundings(out);
   for (const Motions& motions : motions_concerned(departure)) add_left_out(motions, out);
 }

@@ -204,6 +204,16 @@ std::uint64_t with_blank_lines(const ProgramText& program, std::uint64_t block) 
   return block;
 }
 
+// The line that a subject means which counts CR and LF each as the end of one.
+std::uint64_t with_pairs_as_two(const ProgramText& program, std::uint64_t block) {
+  std::uint64_t counted = 0;
+  for (std::size_t i = 0; i < program.blocks.size(); ++i) {
+    counted += program.blocks[i].end == "\r\n" ? 2U : 1U;
+    if (counted >= block) return i + 1;
+  }
+  return block;
+}
+
 void add_block_numbers(Variants& out) {
   const auto renumber =
       [](const std::function<std::uint64_t(const ProgramText&, std::uint64_t)>& to) {
@@ -214,12 +224,7 @@ void add_block_numbers(Variants& out) {
         };
       };
   add_outcome("blank lines are not counted", renumber(with_blank_lines), out);
-  add_outcome("CR LF counts as two lines",
-              renumber([](const ProgramText& program, std::uint64_t block) {
-                const bool pairs = !program.blocks.empty() && program.blocks[0].end == "\r\n";
-                return pairs ? (block + 1) / 2 : block;
-              }),
-              out);
+  add_outcome("CR LF counts as two lines", renumber(with_pairs_as_two), out);
   add_outcome(
       "alarms name the block after",
       [](const Observation&, KeptOutcome& outcome) {

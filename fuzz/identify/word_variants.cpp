@@ -47,6 +47,7 @@ enum class Words : std::uint8_t {
   measured,  // all but numbers of times
   counted,   // numbers of times, of tools and of functions
   steps,     // those by which a cycle goes on again and again
+  choices,   // of one of a few ways
 };
 
 // What becomes of the value; nothing: the word stays as it is.
@@ -66,10 +67,18 @@ bool where_x_is_a_radius(const TextBlock& block) {
   return block.modes.x_radius;
 }
 
+// Also a parameter that is given before the block of its cycle.
+bool is_a_choice(const reference::Descriptor& table, const std::string& name) {
+  return std::ranges::any_of(table.codes, [&](const reference::Code& code) {
+    const reference::CodeWord* const word = code.find(name);
+    return word != nullptr && word->role == Role::number;
+  });
+}
+
 bool is_among(Words words, const TextBlock& block, const TextWord& word,
               const reference::Descriptor& table) {
   const reference::CodeWord* const known = block.role_of(word, table);
-  if (known == nullptr) return words != Words::steps;
+  if (known == nullptr) return words != Words::steps && words != Words::choices;
   const bool is_counted =
       known->role == Role::count || known->role == Role::turns || known->role == Role::number;
   switch (words) {
@@ -79,6 +88,8 @@ bool is_among(Words words, const TextBlock& block, const TextWord& word,
       return is_counted;
     case Words::steps:
       return known->role == Role::step;
+    case Words::choices:
+      return is_a_choice(table, name_of(word));
   }
   return false;
 }
@@ -119,6 +130,11 @@ const std::vector<Operation>& operations() {
        everywhere,
        {},
        Words::counted},
+      {"takes 2 for 3, and 3 for 2",
+       [](const Number& v) { return v == 2 || v == 3 ? Value(5 - v) : Value(); },
+       everywhere,
+       {},
+       Words::choices},
       {"loses its decimals",
        [](const Number& v) -> Value { return v.sign() < 0 ? v.ceil() : v.floor(); }},
       {"is rounded to hundredths", [](const Number& v) -> Value { return half_up(v, 2); }},
@@ -240,18 +256,21 @@ void add_exchanges(const reference::Descriptor& table, const Addresses& addresse
   }
 }
 
-// X=AC(10) read as X=10, as the mode in force says; or as the other of the two.
-void add_brackets(Variants& out) {
+// X=AC(10) read as X=10, as the mode in force says; or as the other of the two. No addresses: in
+// every word.
+void add_brackets(const Addresses& addresses, Variants& out) {
+  const std::string of = addresses.empty() ? "" : fmt::format(" of {}", fmt::join(addresses, " "));
   for (const std::string_view name : {"AC", "IC"}) {
     for (const std::string_view instead : {"", "AC", "IC"}) {
       if (name == instead) continue;
       add_edit(
-          instead.empty() ? fmt::format("{} is ignored", name)
-                          : fmt::format("{} does what {} does", name, instead),
+          instead.empty() ? fmt::format("{}{} is ignored", name, of)
+                          : fmt::format("{}{} does what {} does", name, of, instead),
           [=](const TextBlock&, const TextWord& word) -> std::optional<std::string> {
             std::string text = word.text;
             const std::size_t at = text.find(fmt::format("{}(", name));
-            if (at == std::string::npos) return std::nullopt;
+            const bool is_meant = addresses.empty() || addresses.contains(name_of(word));
+            if (!is_meant || at == std::string::npos) return std::nullopt;
             return text.replace(at, name.size(), instead);
           },
           out);
@@ -281,6 +300,7 @@ void add_word_variants(const Observation& departure, Variants& out) {
   const std::size_t line = departure.verdict.block;
   const bool known = line > 0 && line <= program.blocks.size();
   const Plane plane = known ? program.blocks[line - 1].modes.plane : Plane::g17;
+  add_flat_arcs(out);
   std::vector<Addresses> sets;
   for (const std::string& address : addresses) sets.push_back({address});
   for (const Addresses& kin : kin_addresses(table)) {
@@ -296,8 +316,11 @@ void add_word_variants(const Observation& departure, Variants& out) {
     add_operations({set, {}, plane}, table, out);
   }
   add_exchanges(table, addresses, plane, out);
-  add_flat_arcs(out);
-  if (departure.profile.dialect.starts_with("sinumerik")) add_brackets(out);
+  if (!departure.profile.dialect.starts_with("sinumerik")) return;
+  add_brackets({}, out);
+  for (const Addresses& kin : kin_addresses(table)) {
+    if (!kin.empty()) add_brackets(kin, out);
+  }
 }
 
 }  // namespace gonogo::identify
