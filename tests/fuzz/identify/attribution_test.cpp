@@ -75,8 +75,23 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"ngc", "end-point-unchecked", "ngc.arc-distance.000011",
                 "arc-end-point of NGC-ARC-03 is not checked"},
         Planted{"ngc", "g76-h-total", "ngc.threading.v1-t2f2-s1.000002", "H counts one too few"},
+        Planted{"ngc", "cr-lf-counted-twice", "ngc.amendments.000144", "CR LF counts as two lines"},
+        Planted{"ngc", "g86-without-dwell", "ngc.dwelling.v1-t2f2-s1.000004",
+                "the dwells of G86 are left out"},
+        Planted{"ngc", "q-not-sticky", "ngc.cycles.000104",
+                "Q has to stand in every block of a cycle"},
+        Planted{"sinumerik", "centre-ac-ignored", "s840.arcs.000044", "AC of I J K is ignored"},
+        Planted{"sinumerik", "capitals-only", "s840.expressions.000024",
+                "small letters are refused"},
+        Planted{"sinumerik", "pocket-sense-flipped", "s802.lcyc75.000037",
+                "R126 takes 2 for 3, and 3 for 2"},
+        Planted{"gsk", "step-equality-accepted", "gsk.g110.alarm.000005",
+                "L of G110 on a limit counts as a trifle smaller, < for <= or the other way "
+                "round"},
         Planted{"gsk", "missing-step-down-accepted", "gsk.g110.alarm.000069",
                 "GSK-G110-02 does without Q"},
+        Planted{"hnc", "taper-leaks-past-rapid", "hnc.g82.000172",
+                "I K of a cycle stays in force past straight motions"},
         Planted{"hnc", "peck-running-sum", "hnc.pecks.000001", "Q is summed up in binary64"},
         Planted{"hnc", "dwell-in-seconds", "hnc.basic.000068",
                 "P of G4 is 1000 times too large, milli for one"}),
@@ -152,6 +167,42 @@ TEST(LikelyCause, IsNoneOverAMinorityAndNamesItsRivals) {
 TEST(LikelyCause, OfACipTheOtherWayRound) {
   const Attribution found = attribute_fault("sinumerik", "cip-sense-flipped", "s840.cip.000001");
   EXPECT_EQ(likely_cause(found).name, "every CIP turns the other way") << attribution_text(found);
+}
+
+TEST(LikelyCause, OfALimitThatRefusesItsOwnValue) {
+  const Attribution found =
+      attribute_fault("gsk", "taper-equality-refused", "gsk.g90.alarm.000017");
+  EXPECT_EQ(likely_cause(found).name,
+            "R on a limit counts as a trifle larger, < for <= or the other way round")
+      << attribution_text(found);
+}
+
+TEST(LikelyCause, OfAnEndPointThatACycleDoesNotRetain) {
+  const Attribution found = attribute_fault("gsk", "end-point-lost", "gsk.g94.000088");
+  EXPECT_EQ(likely_cause(found).name,
+            "an axis that a later block of G94 does not name does not move")
+      << attribution_text(found);
+}
+
+TEST(LikelyCause, OfADwellWhoseWordBecomesTheFeed) {
+  const Attribution found = attribute_fault("sinumerik", "dwell-feed-kept", "s840.modes.000055");
+  EXPECT_EQ(likely_cause(found).name, "F of a dwell becomes the feed") << attribution_text(found);
+}
+
+// Among the hundreds of ways to misread a word there is one for nearly every single departure.
+TEST(LikelyCause, IsNoWordMisreadWhereOneProgramDeparts) {
+  Attribution found;
+  found.programs.resize(108);
+  found.departures = 1;
+  found.complete = {{"L in G17 is ignored but under G91", 1, 0, 107, {}, true}};
+  EXPECT_TRUE(likely_cause(found).empty());
+  found.complete.front().is_misread = false;
+  EXPECT_FALSE(likely_cause(found).empty());
+}
+
+TEST(LikelyCause, OfAWordOutOfPlaceIsNoWordMisread) {
+  const Attribution found = attribute_fault("ngc", "unused-alone-passed", "ngc.amendments.000017");
+  EXPECT_TRUE(likely_cause(found).empty()) << attribution_text(found);
 }
 
 TEST(LikelyCause, IsNoneWhereAMistakeAndItsOppositeExplainAsMuch) {
