@@ -121,8 +121,8 @@ hunt::HuntSummary tell_campaign(const std::string& folder, const TrialWords& wor
   return summary;
 }
 
-std::string list_findings(const std::vector<hunt::Finding>& findings, const hunt::Pool& pool,
-                          const TrialWords& words) {
+hunt::HuntSummary tell_findings(const std::vector<hunt::Finding>& findings, const hunt::Pool& pool,
+                                const TrialWords& words) {
   hunt::HuntSummary summary;
   Asked asked;
   for (const hunt::Finding& finding : findings) {
@@ -145,7 +145,7 @@ std::string list_findings(const std::vector<hunt::Finding>& findings, const hunt
   } catch (const oracle::SubjectUnusable&) {
     group_findings(summary, {});  // what they come from is a courtesy
   }
-  return finding_list_text(summary);
+  return summary;
 }
 
 KnownMistakes::KnownMistakes(const std::string& folder, TrialWords words)

@@ -19,10 +19,10 @@ namespace gonogo::cli {
 // std::system_error.
 hunt::HuntSummary tell_campaign(const std::string& folder, const TrialWords& words);
 
-// The findings of a hunt without a folder, by their causes, the gravest first: a text for a
-// terminal. `pool`: programs on which a cause is tried as well.
-std::string list_findings(const std::vector<hunt::Finding>& findings, const hunt::Pool& pool,
-                          const TrialWords& words);
+// The findings of a hunt without a folder, by their causes, the gravest first. `pool`: programs on
+// which a cause is tried as well.
+hunt::HuntSummary tell_findings(const std::vector<hunt::Finding>& findings, const hunt::Pool& pool,
+                                const TrialWords& words);
 
 // The mistakes that findings of a campaign that stand come from, held against a subject's later
 // departures.

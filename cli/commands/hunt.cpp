@@ -91,7 +91,8 @@ void take(const HuntWords& words, const HuntBefore& before, hunt::Hunt& hunt,
   tally.told.push_back(finding);
 }
 
-std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTally& tally) {
+std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTally& tally,
+                    const std::string& found) {
   const hunt::HuntCount& count = hunt.count();
   return fmt::format(
       "{}, {}: {} programs from seed {}, {} judged ({} with motion), {} skipped, {} undecided, {} "
@@ -100,8 +101,7 @@ std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTa
       words.trial.subject, words.dialect, count.programs, words.seed, count.judged, count.moved,
       count.skipped, count.gaps, count.too_long,
       count.outside == 0 ? "" : fmt::format(", {} departures outside the domain", count.outside),
-      hunt.pool().features(), hunt.pool().size(),
-      oracle::counted(tally.findings(), "finding", "findings"),
+      hunt.pool().features(), hunt.pool().size(), found,
       tally.known == 0
           ? ""
           : ", " + oracle::counted(tally.known, "new symptom", "new symptoms") + " of known causes",
@@ -192,11 +192,14 @@ int hunt_programs(HuntWords words, const HuntBefore& before) {
     }
   }
   Output output;
+  hunt::HuntSummary grouped;
   if (!tally.told.empty()) {
-    output.text() = "The findings by their causes, the gravest first:\n" +
-                    list_findings(tally.told, hunt.pool(), words.trial) + "\n";
+    grouped = tell_findings(tally.told, hunt.pool(), words.trial);
+    output.text() =
+        "The findings by their causes, the gravest first:\n" + finding_list_text(grouped) + "\n";
   }
-  output.text() += summary(words, hunt, tally) + skipped_text(hunt, words.dialect);
+  output.text() +=
+      summary(words, hunt, tally, findings_text(grouped)) + skipped_text(hunt, words.dialect);
   output.tell();
   if (tally.no_go > 0) return kNoGo;
   const bool undecided = tally.oracle_errors > 0 || !tally.complete || judged_little(hunt.count());

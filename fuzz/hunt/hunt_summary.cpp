@@ -76,11 +76,14 @@ void add_shard(const CampaignState& state, const fs::path& folder, HuntSummary& 
   }
 }
 
-// What symptoms without a cause have in common if they are one finding.
+// What symptoms without a cause have in common if they are one finding. What was due in the place
+// of an alarm or of a surplus motion is chance, and tells no findings apart.
 std::string group_of(const Symptom& symptom, const Causes& causes) {
   const auto cause = causes.find(symptom.signature);
   if (cause != causes.end()) return "cause\n" + cause->second;
   const Signature& one = symptom.signature;
+  if (!one.undue_alarm().empty()) return "alarm\n" + one.undue_alarm();
+  if (one.is_surplus()) return "surplus";
   if (one.clause.empty() || oracle::is_breakdown(one.kind)) return "alone\n" + one.text();
   return fmt::format("shape\n{}\n{}\n{}", name(one.kind), one.clause, one.what);
 }
@@ -166,7 +169,13 @@ std::string rounds_text(const HuntSummary& summary) {
 
 std::string cause_text(const CampaignFinding& finding) {
   if (!finding.cause.empty()) return oracle::Cause{finding.cause, {}}.text();
-  return "No one mistake that was tried explains it.";
+  const std::string none = "No one mistake that was tried explains it";
+  const Signature& first = finding.symptoms.front().signature;
+  if (finding.symptoms.size() == 1) return none + ".";
+  if (const std::string alarm = first.undue_alarm(); !alarm.empty()) {
+    return fmt::format("{}; each is an alarm {} that is not due.", none, alarm);
+  }
+  return none + (first.is_surplus() ? "; each makes a motion more than its block asks for." : ".");
 }
 
 std::string clauses_text(const CampaignFinding& finding) {

@@ -14,13 +14,19 @@ struct Signature {
   std::string dialect;
   oracle::VerdictKind kind = oracle::VerdictKind::pass_exact;
   std::string clause;  // departed from; empty: none
-  std::string what;    // kinds of the two records, classes of the two alarms, or what broke down
-  std::string code;    // in force in the block: "G94"
+  // Kinds of the two records, classes of the two alarms, or what broke down; "feed/rapid of an
+  // earlier block" where the subject moves in a block that the reference has left.
+  std::string what;
+  std::string code;  // in force in the block: "G94"
 
   // "fail.geometry GSK-G94-02 feed/rapid in G94"
   std::string text() const;
   // 8 hexadecimal digits.
   std::string hash() const;
+  // The subject makes a motion more than its block has; what comes next is of the program.
+  bool is_surplus() const;
+  // The class of the alarm that the subject gives and no text asks for; empty: no such alarm.
+  std::string undue_alarm() const;
   friend auto operator<=>(const Signature&, const Signature&) = default;
 };
 

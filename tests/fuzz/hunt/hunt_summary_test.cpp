@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -106,6 +107,41 @@ TEST_F(HuntSummaries, WhatNothingExplainsStaysApartButForTheCodeInForce) {
     EXPECT_EQ(std::set({finding.symptoms[0].signature, finding.symptoms[1].signature}),
               std::set({kFirst, kAlike}));
   }
+}
+
+TEST_F(HuntSummaries, AlarmsOfOneClassThatAreNotDueAreOneFinding) {
+  using enum VerdictKind;
+  write_shard("shard-1-of-1",
+              {signature("NGC-CYC-12", "rapid/missing-word", "G81", fail_alarm_spurious),
+               signature("NGC-COM-01", "alarm/missing-word", "G73", fail_alarm_spurious),
+               signature("NGC-COM-02", "alarm/missing-word", "G84", fail_alarm_class),
+               signature("NGC-ARC-02", "arc/arc-radius", "G2", fail_alarm_spurious),
+               signature("NGC-ARC-02", "alarm/arc", "G2", fail_alarm_late)});
+  HuntSummary summary = summarize_campaign(folder());
+  group_findings(summary, {});
+  EXPECT_EQ(findings_text(summary), "3 findings, 5 symptoms");
+  const auto three = std::ranges::find(
+      summary.findings, 3U, [](const CampaignFinding& one) { return one.symptoms.size(); });
+  ASSERT_NE(three, summary.findings.end());
+  EXPECT_EQ(cause_text(*three),
+            "No one mistake that was tried explains it; each is an alarm missing-word that is not "
+            "due.");
+}
+
+TEST_F(HuntSummaries, MotionsBeyondTheirBlockAreOneFinding) {
+  write_shard("shard-1-of-1",
+              {signature("NGC-CYC-12", "rapid/feed of an earlier block", "G82"),
+               signature("NGC-G33-01", "thread/rapid of an earlier block", "G33"),
+               signature("", "end/feed", "G83", VerdictKind::fail_overrun), kOtherShape});
+  HuntSummary summary = summarize_campaign(folder());
+  group_findings(summary, {});
+  EXPECT_EQ(findings_text(summary), "2 findings, 4 symptoms");
+  const auto three = std::ranges::find(
+      summary.findings, 3U, [](const CampaignFinding& one) { return one.symptoms.size(); });
+  ASSERT_NE(three, summary.findings.end());
+  EXPECT_EQ(cause_text(*three),
+            "No one mistake that was tried explains it; each makes a motion more than its block "
+            "asks for.");
 }
 
 TEST_F(HuntSummaries, OneThatIsExplainedIsNotOfThoseOfItsShape) {

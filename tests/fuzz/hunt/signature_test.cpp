@@ -40,6 +40,45 @@ TEST(Signature, NamesClauseRecordsAndCode) {
             "fail.geometry GSK-G94-02 rapid/rapid in G94");
 }
 
+oracle::Verdict departure(const char* want, const char* got) {
+  oracle::Verdict verdict;
+  verdict.kind = oracle::VerdictKind::fail_geometry;
+  verdict.want = want;
+  verdict.got = got;
+  return verdict;
+}
+
+TEST(Signature, SaysThatTheSubjectIsStillInAnEarlierBlock) {
+  const char* const want = R"({"k":"rapid","b":5,"to":{"x":"0"}})";
+  const Signature behind =
+      signature_of(departure(want, R"({"k":"feed","b":4,"to":{"x":"0"}})"), gsk("G0\n"));
+  EXPECT_EQ(behind.what, "rapid/feed of an earlier block");
+  EXPECT_TRUE(behind.is_surplus());
+  const Signature there =
+      signature_of(departure(want, R"({"k":"feed","b":5,"to":{"x":"0"}})"), gsk("G0\n"));
+  EXPECT_EQ(there.what, "rapid/feed");
+  EXPECT_FALSE(there.is_surplus());
+  const Signature ahead =
+      signature_of(departure(want, R"({"k":"feed","b":10,"to":{"x":"0"}})"), gsk("G0\n"));
+  EXPECT_FALSE(ahead.is_surplus());
+}
+
+TEST(Signature, AnAlarmIsNoMotionOfAnEarlierBlock) {
+  const Signature signature = signature_of(
+      departure(R"({"k":"rapid","b":5})", R"({"k":"alarm","b":4,"class":"syntax"})"), gsk("G0\n"));
+  EXPECT_EQ(signature.what, "rapid/syntax");
+  EXPECT_FALSE(signature.is_surplus());
+}
+
+TEST(Signature, AnAlarmThatIsNotDueIsKnownByItsClass) {
+  Signature signature;
+  signature.kind = oracle::VerdictKind::fail_alarm_class;
+  signature.what = "alarm/missing-word";
+  EXPECT_EQ(signature.undue_alarm(), "missing-word");
+  signature.kind = oracle::VerdictKind::fail_alarm_missing;
+  EXPECT_EQ(signature.undue_alarm(), "");
+}
+
 TEST(Signature, HashesAreEightDigits) {
   const std::string hash = signature("taper-sign", "G00 X100 Z5\nG94 X50 Z-10 R-2 F100\n").hash();
   EXPECT_EQ(hash.size(), 8U);
