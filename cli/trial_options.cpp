@@ -13,6 +13,7 @@
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
 #include "fuzz/hunt/finding_files.hpp"
+#include "fuzz/program/in_force.hpp"
 
 namespace gonogo::cli {
 
@@ -85,6 +86,7 @@ std::string finding_text(const hunt::Finding& finding, std::string next) {
   oracle::FindingFacts facts = oracle::finding_facts(finding.verdict);
   facts.profile = reference::profile_json(program.profile);
   facts.blocks = oracle::marked_program(program.text, finding.verdict.block);
+  facts.in_force = program::in_force_text(program.profile, program.text, facts.block.value_or(0));
   facts.departure.clear();  // the head says it
   facts.next = std::move(next);
   return text + oracle::finding_text(facts, "  ");

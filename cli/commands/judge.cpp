@@ -19,6 +19,7 @@
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
 #include "fuzz/hunt/trial.hpp"
+#include "fuzz/program/in_force.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/records/text.hpp"
 #include "oracle/relation/definition.hpp"
@@ -159,12 +160,26 @@ std::string explaining(const JudgeOptions& options, const std::string& dialect,
   return block == 0 ? command : fmt::format("{} --block {}", command, block);
 }
 
+// As much of it as a person reads.
+std::string begin_of(const oracle::ProgramText& program) {
+  constexpr std::size_t kMost = 100'001;
+  std::string text(kMost, '\0');
+  const auto bytes = program.open();
+  std::size_t size = 0;
+  while (const std::size_t more = bytes->read(text.data() + size, kMost - size)) size += more;
+  text.resize(size);
+  return text;
+}
+
 std::string told(const JudgeOptions& options, const reference::Profile& profile,
                  const oracle::ProgramText& program, const oracle::Verdict& verdict) {
   oracle::FindingFacts facts = oracle::finding_facts(verdict);
   facts.profile = reference::profile_json(profile);
   const std::uint64_t line = facts.block.value_or(0);
   facts.blocks = oracle::marked_blocks(*program.open(), line);
+  if (decision(verdict.kind) != oracle::Decision::go) {
+    facts.in_force = program::in_force_text(profile, begin_of(program), line);
+  }
   facts.next = explaining(options, profile.dialect, line);
   return verdict_text(verdict, std::move(facts));
 }

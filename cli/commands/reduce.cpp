@@ -10,6 +10,7 @@
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
 #include "fuzz/hunt/profile_parts.hpp"
+#include "fuzz/program/in_force.hpp"
 #include "fuzz/program/text.hpp"
 #include "oracle/records/run_scope.hpp"
 
@@ -53,6 +54,7 @@ int reduce(const ReduceWords& words) {
   const generate::GeneratedProgram& reduced = finding->reproducer.program;
   oracle::FindingFacts facts = oracle::finding_facts(finding->verdict);
   facts.blocks = oracle::marked_blocks(reduced.text, finding->verdict.block);
+  facts.in_force = program::in_force_text(reduced.profile, reduced.text, facts.block.value_or(0));
   complain(
       "{}profile    {}\n{} of {}, after {}{}{}\n", verdict_text(finding->verdict, std::move(facts)),
       reference::profile_json(reduced.profile),

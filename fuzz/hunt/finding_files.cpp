@@ -8,14 +8,15 @@
 #include <filesystem>
 #include <system_error>
 
+#include "corpus/io/recheck.hpp"
 #include "fuzz/hunt/program_files.hpp"
 #include "fuzz/hunt/program_vector.hpp"
-#include "corpus/io/recheck.hpp"
+#include "fuzz/program/in_force.hpp"
 #include "oracle/differential/differential.hpp"
-#include "oracle/steps/step_text.hpp"
 #include "oracle/records/finding_text.hpp"
 #include "oracle/records/output_file.hpp"
 #include "oracle/records/text.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::hunt {
 namespace {
@@ -26,6 +27,7 @@ std::string verdict_text(const Finding& finding, const oracle::Case& test) {
   oracle::FindingFacts facts = oracle::finding_facts(finding.verdict);
   facts.profile = reference::profile_json(test.profile);
   facts.blocks = oracle::marked_blocks(test.program, finding.verdict.block);
+  facts.in_force = program::in_force_text(test.profile, test.program, facts.block.value_or(0));
   return fmt::format("{}: {}\n{}{:<10} {}\n", test.id, finding.signature.text(),
                      oracle::finding_text(facts, ""), "from", test.provenance);
 }

@@ -266,6 +266,7 @@ std::vector<FindingPart> finding_parts(const FindingFacts& facts) {
       {Form::fact, "about", facts.comment},
       {Form::fact, "machine", other_machine(facts.profile)},
       {Form::lines, "", facts.blocks},
+      {Form::fact, "in force", facts.in_force},
       {Form::sentence, "", want_and_got(facts.want, facts.got)},
       {Form::sentence, "", facts.message},
       {Form::fact, "known", facts.known},

@@ -17,9 +17,10 @@ namespace gonogo::oracle {
 
 // What is known of one case that departs. An empty field is left out.
 struct FindingFacts {
-  std::string comment;  // what the case is about
-  std::string profile;  // JSON
-  std::string blocks;   // of its program, marked_blocks
+  std::string comment;   // what the case is about
+  std::string profile;   // JSON
+  std::string blocks;    // of its program, marked_blocks
+  std::string in_force;  // in the block that departs, left by earlier ones
   std::string want;
   std::string got;
   std::string message;
