@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publish/evidence/case_row.hpp"
 
-#include "fuzz/program/in_force.hpp"
 #include "oracle/records/fresh_counts.hpp"
 #include "oracle/records/point_text.hpp"
 #include "oracle/records/text.hpp"
 #include "publish/report/case_detail.hpp"
-#include "publish/report/case_paths.hpp"
 #include "publish/report/command.hpp"
 #include "publish/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
-namespace {
-
-// What is GO needs no explanation.
-void add_in_force(CaseRow& facts, const Json& own, std::uint64_t line) {
-  if (decision(facts.kind) == Decision::go || !facts.program) return;
-  const auto profile = report::case_profile(facts.dialect, own);
-  if (const auto* const machine = std::get_if<reference::Profile>(&profile)) {
-    facts.in_force = program::in_force_text(*machine, *facts.program, line);
-  }
-}
-
-}  // namespace
 
 CaseRow case_row(const Json& line) {
   using report::text_of;
@@ -60,7 +46,7 @@ CaseRow case_row(const Json& line) {
   if (const auto profile = line.find("profile"); profile != line.end()) {
     facts.profile = profile->dump();
   }
-  add_in_force(facts, line.value("profile", Json::object()), line_departing.value_or(0));
+  facts.in_force = report::in_force_of(line);
   return facts;
 }
 

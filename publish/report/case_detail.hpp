@@ -14,6 +14,8 @@ namespace gonogo::oracle::report {
 
 // The bytes of a case's program; nothing when the line has none.
 std::optional<std::string> program_bytes(const Json& line);
+// What earlier blocks leave in force in the one that departs; empty: nothing, or the case is GO.
+std::string in_force_of(const Json& line);
 
 // A case of the corpus, and the profile that it was judged under.
 struct CorpusCase {

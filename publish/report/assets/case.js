@@ -102,6 +102,7 @@ function showFailure(detail, c, data) {
   const fact = (name, ...value) => facts.append(el('dt', {}, name), el('dd', {}, ...value));
   if (data.comment) fact('About', data.comment);
   if (data.machine) fact('Machine', data.machine);
+  if (data.inForce) fact('In force', data.inForce);
   if (data.steps) fact('Want and got', ...data.steps.split(' / ').flatMap((step, i) => [i > 0 ? el('br', {}) : '', step]));
   fact('Dialect, cycle', `${c.dialect}, ${c.cycle}`);
   if (c.clause) {

@@ -17,6 +17,7 @@ function printedFinding(finding) {
   fact('Finding', `${counted(finding.cases, 'case', 'cases')}: ${Object.entries(finding.cycles).map(([cycle, n]) => `${cycle} ${count(n)}`).join(', ')}`);
   if (data.comment) fact('About', data.comment);
   if (data.machine) fact('Machine', data.machine);
+  if (data.inForce) fact('In force', data.inForce);
   if (finding.cause) fact('Cause', finding.causeText);
   if (clause) fact('Clause', `${clause.id}: ${clause.text} (${clause.source})`);
   if (data.b !== undefined) fact('Line', String(data.b));
