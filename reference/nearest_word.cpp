@@ -47,7 +47,9 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   for (const std::string& one : known) {
     const std::string small = in_small_letters(word);
     const std::string other = in_small_letters(one);
-    const std::size_t here = begins(small, other) ? 1 : distance(small, other);
+    // The same word in other letters is nearer than any, though it begins with itself.
+    const bool is_same = small == other;
+    const std::size_t here = !is_same && begins(small, other) ? 1 : distance(small, other);
     if (here >= least) continue;
     least = here;
     best = one;

@@ -28,5 +28,9 @@ TEST(NearestWord, NothingIsNear) {
   EXPECT_EQ(nearest_word(std::string(1'000, 'g'), kKnown), "");
 }
 
+TEST(NearestWord, TheSameWordInOtherLettersIsNearest) {
+  EXPECT_EQ(nearest_word("G94", {"g74", "g94", "g940"}), "g94");
+}
+
 }  // namespace
 }  // namespace gonogo::reference
