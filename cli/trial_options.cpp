@@ -33,7 +33,12 @@ void check_out(const TrialWords& words) {
   namespace fs = std::filesystem;
   fs::path place = fs::absolute(words.out);
   while (!fs::exists(place) && place.has_relative_path()) place = place.parent_path();
-  if (fs::is_directory(place) && ::access(place.c_str(), W_OK) == 0) return;
+  std::error_code fault;
+  if (fs::is_directory(place) && ::access(place.c_str(), W_OK) == 0) {
+    // A place such as /proc takes no folder, though it seems so.
+    fs::create_directories(words.out, fault);
+    if (!fault) return;
+  }
   throw UsageError(fmt::format("--out {}: no folder can be made there.", words.out));
 }
 

@@ -92,6 +92,14 @@ const Code* Descriptor::find(Kind kind) const {
   return found == codes.end() ? nullptr : &*found;
 }
 
+ClauseId Descriptor::clause_of_holding(Holds what, const Code& code) const {
+  const auto found = std::ranges::find_if(holding, [&](const HoldingRule& rule) {
+    return rule.what == what && code.name.starts_with(rule.codes) &&
+           (what != Holds::mode || rule.group == code.group);
+  });
+  return found == holding.end() ? kNoClause : found->clause;
+}
+
 const Code* opposite_of(const Descriptor& descriptor, const Code& code) {
   const auto found = std::ranges::find_if(descriptor.codes, [&](const Code& other) {
     const bool is_kin = other.kind == code.kind && other.feature == code.feature;

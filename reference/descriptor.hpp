@@ -20,12 +20,22 @@ struct DialectFeature {
   bool is_of_text = false;  // no code or word shows it
 };
 
+// The clause by which a code repeats, its words hold, or a mode stays in force in later blocks.
+enum class Holds : std::uint8_t { motion, words, mode };
+struct HoldingRule {
+  Holds what;
+  std::string_view codes;  // what the names of the codes begin with; empty: all
+  Group group;             // of a mode
+  ClauseId clause;
+};
+
 struct Descriptor {
   std::span<const DialectFeature> features;
   // G codes by their numbers, then names in the order of their bytes, then M functions.
   std::span<const Code> codes;
   std::span<const CodeWord> everywhere;  // beside every code
   std::span<const IgnoredWords> passed_everywhere;
+  std::span<const HoldingRule> holding;
 
   // By its name without leading zeros: "G1", "CIP". Null: the table has no row of that name. A row
   // of a family is found by each of its codes.
@@ -35,6 +45,8 @@ struct Descriptor {
   // The code that puts it in force, the first one of the kind that is read; null: there is none.
   const Code* find(Setting setting) const;
   const Code* find(Kind kind) const;
+  // The clause by which this holds of the code; kNoClause: the catalog has none.
+  ClauseId clause_of_holding(Holds what, const Code& code) const;
 };
 
 // The other code of its pair, which turns the other way; null: it does not turn.

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
 
 #include "cli/commands.hpp"
@@ -231,8 +230,6 @@ void add_hunt(Command& program) {
   command.number("--round", words->round, 1, 1'000'000, "programs of a round of a campaign (2000)");
   command.run([words] {
     words->trial.limits.stated = stated_machine({words->dialect, words->profile, words->readings});
-    // Now, and not when there is a finding to be kept.
-    if (!words->trial.out.empty()) std::filesystem::create_directories(words->trial.out);
     return hunt(*words);
   });
 }

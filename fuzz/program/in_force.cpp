@@ -5,67 +5,26 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <set>
-#include <span>
 #include <vector>
 
 #include "fuzz/program/modes.hpp"
-#include "reference/clause_literal.hpp"
+#include "reference/descriptor.hpp"
 
 namespace gonogo::program {
 namespace {
 
 using reference::Code;
 using reference::Group;
+using reference::Holds;
 using reference::Kind;
 using reference::Role;
-using reference::operator""_clause;
 
 constexpr std::size_t kLongestProgram = 100'000;  // bytes
 
-// What says that words or a code hold.
-struct Holding {
-  std::string_view dialect;
-  std::string_view what;  // what codes begin with; empty: every code
-  reference::ClauseId clause;
-};
-constexpr Holding kWords[] = {
-    {"rs274", "", "NGC-CYC-03"_clause},        {"gsk988ta", "G90", "GSK-G90-06"_clause},
-    {"gsk988ta", "G92", "GSK-G92-06"_clause},  {"gsk988ta", "G94", "GSK-G94-06"_clause},
-    {"gsk988ta", "G11", "GSK-G110-02"_clause}, {"hnc21t", "", "HNC-MOD-01"_clause}};
-constexpr Holding kMotions[] = {
-    {"rs274", "", "NGC-MOD-01"_clause},        {"gsk988ta", "G90", "GSK-G90-06"_clause},
-    {"gsk988ta", "G92", "GSK-G92-06"_clause},  {"gsk988ta", "G94", "GSK-G94-06"_clause},
-    {"hnc21t", "", "HNC-MOD-02"_clause},       {"sinumerik840d", "", "SIE-MOD-01"_clause},
-    {"sinumerik802s", "", "SIE-MOD-01"_clause}};
-struct ModeHolding {
-  std::string_view dialect;
-  Group group;
-  reference::ClauseId clause;
-};
-constexpr ModeHolding kModes[] = {{"rs274", Group::distance, "NGC-DIS-01"_clause},
-                                  {"rs274", Group::arc_distance, "NGC-DIS-01"_clause},
-                                  {"rs274", Group::units, "NGC-UNI-01"_clause},
-                                  {"sinumerik840d", Group::units, "SIE-MOD-04"_clause},
-                                  {"sinumerik802s", Group::units, "SIE-MOD-04"_clause}};
-
 std::string shown(reference::ClauseId clause) {
-  return fmt::format(" ({})", reference::clause_name(clause));
-}
-
-std::string clause_of(std::span<const Holding> all, std::string_view dialect,
-                      std::string_view code) {
-  const auto found = std::ranges::find_if(all, [&](const Holding& one) {
-    return one.dialect == dialect && code.starts_with(one.what);
-  });
-  return found == all.end() ? std::string() : shown(found->clause);
-}
-
-std::string clause_of_mode(std::string_view dialect, Group group) {
-  const auto found = std::ranges::find_if(
-      kModes, [&](const ModeHolding& one) { return one.dialect == dialect && one.group == group; });
-  return found == std::end(kModes) ? std::string() : shown(found->clause);
+  return clause == reference::kNoClause ? std::string()
+                                        : fmt::format(" ({})", reference::clause_name(clause));
 }
 
 class InForce {
@@ -87,10 +46,12 @@ class InForce {
     if (block_.modes.own != nullptr || code == nullptr || !names_something()) return;
     for (std::size_t i = at_; i-- > 0;) {
       if (program_.blocks[i].modes.own != code) continue;
-      add(std::string(code->name), i, clause_of(kMotions, profile_.dialect, code->name));
+      add(std::string(code->name), i, shown(table().clause_of_holding(Holds::motion, *code)));
       return;
     }
   }
+
+  const reference::Descriptor& table() const { return *program_.table; }
 
   bool names_something() const { return std::ranges::any_of(block_.words, is_word); }
 
@@ -123,7 +84,7 @@ class InForce {
       }
       if (words.empty()) continue;
       add(fmt::format("{}", fmt::join(words, " ")), i,
-          clause_of(kWords, profile_.dialect, code->name));
+          shown(table().clause_of_holding(Holds::words, *code)));
     }
   }
 
@@ -152,7 +113,7 @@ class InForce {
         const Code* const code = program_.table->find(name);
         if (code == nullptr || code->kind != Kind::mode || !matters(code->group)) continue;
         if (!seen.insert(code->group).second || i == at_ || is_of_power_on(*code)) continue;
-        add(std::string(code->name), i, clause_of_mode(profile_.dialect, code->group));
+        add(std::string(code->name), i, shown(table().clause_of_holding(Holds::mode, *code)));
       }
     }
   }

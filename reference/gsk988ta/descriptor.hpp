@@ -252,9 +252,19 @@ inline constexpr auto kFeatures = std::to_array<DialectFeature>({
     {"g116", "internal thread milling G116 and G117"},
 });
 
+inline constexpr auto kHolding = std::to_array<HoldingRule>({
+    {Holds::words, "G90", Group::motion, "GSK-G90-06"_clause},
+    {Holds::words, "G92", Group::motion, "GSK-G92-06"_clause},
+    {Holds::words, "G94", Group::motion, "GSK-G94-06"_clause},
+    {Holds::words, "G11", Group::motion, "GSK-G110-02"_clause},
+    {Holds::motion, "G90", Group::motion, "GSK-G90-06"_clause},
+    {Holds::motion, "G92", Group::motion, "GSK-G92-06"_clause},
+    {Holds::motion, "G94", Group::motion, "GSK-G94-06"_clause},
+});
+
 }  // namespace table
 
 inline constexpr Descriptor kDescriptor = {table::kFeatures, table::kCodes, table::kEverywhere,
-                                           table::kAnyBlock};
+                                           table::kAnyBlock, table::kHolding};
 
 }  // namespace gonogo::reference::gsk988ta

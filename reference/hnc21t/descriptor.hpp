@@ -206,9 +206,14 @@ inline constexpr auto kFeatures = std::to_array<DialectFeature>({
     {"g82", "the thread cutting cycle G82"},
 });
 
+inline constexpr auto kHolding = std::to_array<HoldingRule>({
+    {Holds::words, "", Group::motion, "HNC-MOD-01"_clause},
+    {Holds::motion, "", Group::motion, "HNC-MOD-02"_clause},
+});
+
 }  // namespace table
 
 inline constexpr Descriptor kDescriptor = {table::kFeatures, table::kCodes, table::kEverywhere,
-                                           table::kAnyBlock};
+                                           table::kAnyBlock, table::kHolding};
 
 }  // namespace gonogo::reference::hnc21t

@@ -368,9 +368,17 @@ inline constexpr auto kFeatures = std::to_array<DialectFeature>({
      true},
 });
 
+inline constexpr auto kHolding = std::to_array<HoldingRule>({
+    {Holds::words, "", Group::motion, "NGC-CYC-03"_clause},
+    {Holds::motion, "", Group::motion, "NGC-MOD-01"_clause},
+    {Holds::mode, "", Group::distance, "NGC-DIS-01"_clause},
+    {Holds::mode, "", Group::arc_distance, "NGC-DIS-01"_clause},
+    {Holds::mode, "", Group::units, "NGC-UNI-01"_clause},
+});
+
 }  // namespace table
 
 inline constexpr Descriptor kDescriptor = {table::kFeatures, table::kCodes, table::kEverywhere,
-                                           table::kAnyBlock};
+                                           table::kAnyBlock, table::kHolding};
 
 }  // namespace gonogo::reference::rs274

@@ -364,11 +364,16 @@ inline constexpr auto kCodes840d = [] {
   return some;
 }();
 
+inline constexpr auto kHolding = std::to_array<HoldingRule>({
+    {Holds::motion, "", Group::motion, "SIE-MOD-01"_clause},
+    {Holds::mode, "", Group::units, "SIE-MOD-04"_clause},
+});
+
 }  // namespace table
 
-inline constexpr Descriptor kDescriptor840d = {table::kPathFeatures, table::kCodes840d,
-                                               table::kEverywhere, table::kAnyBlock};
-inline constexpr Descriptor kDescriptor802s = {table::kFeatures802s, table::kCodes,
-                                               table::kEverywhere, table::kAnyBlock};
+inline constexpr Descriptor kDescriptor840d = {
+    table::kPathFeatures, table::kCodes840d, table::kEverywhere, table::kAnyBlock, table::kHolding};
+inline constexpr Descriptor kDescriptor802s = {
+    table::kFeatures802s, table::kCodes, table::kEverywhere, table::kAnyBlock, table::kHolding};
 
 }  // namespace gonogo::reference::sinumerik
