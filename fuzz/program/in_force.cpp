@@ -71,8 +71,9 @@ class InForce {
     if (code == nullptr || code->kind != Kind::cycle || !names_something()) return;
     std::set<std::string> seen;
     for (const TextWord& word : block_.words) seen.insert(name_of(word));
-    for (std::size_t i = at_; i-- > 0 && program_.blocks[i].modes.motion == code;) {
+    for (std::size_t i = at_; i-- > 0;) {
       const TextBlock& before = program_.blocks[i];
+      if (before.modes.motion != code) break;
       if (before.modes.code() != code) continue;
       std::vector<std::string> words;
       for (const TextWord& word : before.words) {
