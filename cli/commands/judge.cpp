@@ -160,9 +160,9 @@ std::string explaining(const JudgeOptions& options, const std::string& dialect,
   return block == 0 ? command : fmt::format("{} --block {}", command, block);
 }
 
-// As much of it as a person reads.
+// Its beginning: a byte more than what a person reads.
 std::string begin_of(const oracle::ProgramText& program) {
-  constexpr std::size_t kMost = 100'001;
+  constexpr std::size_t kMost = program::kLongestShown + 1;
   std::string text(kMost, '\0');
   const auto bytes = program.open();
   std::size_t size = 0;

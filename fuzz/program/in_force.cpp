@@ -20,8 +20,6 @@ using reference::Holds;
 using reference::Kind;
 using reference::Role;
 
-constexpr std::size_t kLongestProgram = 100'000;  // bytes
-
 std::string shown(reference::ClauseId clause) {
   return clause == reference::kNoClause ? std::string()
                                         : fmt::format(" ({})", reference::clause_name(clause));
@@ -134,7 +132,7 @@ class InForce {
 
 std::string in_force_text(const reference::Profile& profile, std::string_view program,
                           std::uint64_t line) {
-  if (line == 0 || program.size() > kLongestProgram) return {};
+  if (line == 0 || program.size() > kLongestShown) return {};
   const ProgramText text(profile, program);
   if (line > text.blocks.size()) return {};
   return InForce(profile, text, line - 1).text();

@@ -4,6 +4,7 @@
 // show what it should have known.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@
 #include "reference/profile.hpp"
 
 namespace gonogo::program {
+
+// Bytes: nobody reads a longer program.
+inline constexpr std::size_t kLongestShown = 100'000;
 
 // "G81 of line 2 (NGC-MOD-01); R2 Z-5 of line 2 (NGC-CYC-03); G91 of line 1 (NGC-DIS-01)": the code
 // that the block repeats, the words of a cycle that it lacks and that hold, the modes that are not

@@ -91,16 +91,14 @@ void check_fresh(const ResultsFacts& facts, std::vector<std::string>& faults) {
   const bool is_run = std::ranges::count(argv, Json("certify")) > 0;
   const auto asked = report::option_values(argv, "--fresh");
   const FreshCounts counts = fresh_from_json(facts.footer.value("fresh", Json::object()));
-  const auto tell = [&](const std::string& told, const std::string& own) {
-    faults.push_back(fmt::format("The footer says fresh programs {}, but {}.", told, own));
-  };
   const bool is_none = !asked.empty() && asked.back() == "0";
   const bool are_due = !asked.empty() && !is_none && !facts.is_no_go && !facts.judged.empty();
   if (counts.empty() && are_due) {
-    tell("none", fmt::format("the command line asks {}", asked.back()));
+    faults.push_back(fmt::format(
+        "The command line asks {} fresh programs, and the footer has none.", asked.back()));
   }
   if (is_run && facts.is_no_go && !counts.empty()) {
-    tell("of a run", "none are asked where a case is NO-GO");
+    faults.emplace_back("The footer has fresh programs, but none are asked where a case is NO-GO.");
   }
   for (const auto& [dialect, count] : counts) {
     const auto judged = facts.judged.find(dialect);
@@ -109,9 +107,9 @@ void check_fresh(const ResultsFacts& facts, std::vector<std::string>& faults) {
                                                            : std::to_string(judged->second);
     const bool fits = count.judged <= count.programs && count.programs <= count.wanted;
     if (!fits || is_none || (is_run && std::to_string(count.wanted) != own)) {
-      tell(fmt::format("{} {} of {}, {} judged", dialect, count.programs, count.wanted,
-                       count.judged),
-           fmt::format("{} are due", own));
+      faults.push_back(fmt::format(
+          "The footer has {} of {} fresh programs of {}, {} of them judged, but {} are due.",
+          count.programs, count.wanted, dialect, count.judged, own));
     }
   }
 }

@@ -90,7 +90,7 @@ std::string trace_fault(const Json& line, const CaseRow& row, const SessionVerdi
                        name(told), name(kind), now.verdict.message);
   }
   if (told != kind || decision(kind) != Decision::go) return {};
-  // Of a pass that the readings of the run make none, the line says more.
+  // Where the readings of the run make a pass none, its line says more.
   if (row.kind == kind) {
     for (const char* key : {"rule", "gap", "departure", "clause", "want", "got", "record",
                             "deviation", "witness", "message"}) {
