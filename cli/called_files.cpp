@@ -123,6 +123,8 @@ std::string text_behind(const std::string& path, std::string_view head, Labels& 
 
 bool add_called_files(const std::string& dialect, const std::string& path, std::string& program) {
   if (dialect != "rs274" || program.size() > kMostWithCalls) return false;
+  if (program.find('o') == std::string::npos && program.find('O') == std::string::npos)
+    return false;
   Labels labels;
   read_lines(program, labels, nullptr);
   const std::string_view head = without_closing_mark(program);

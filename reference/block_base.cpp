@@ -42,6 +42,12 @@ void BlockBase::not_covered(int code, char address, std::string message) {
 
 Record BlockBase::motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to) {
   Record record;
+  write_motion(record, kind, clause, to);
+  return record;
+}
+
+void BlockBase::write_motion(Record& record, RecordKind kind, ClauseId clause,
+                             std::initializer_list<AxisValue> to) {
   record.kind = kind;
   record.block = line;
   record.clause = clause;
@@ -54,7 +60,6 @@ Record BlockBase::motion(RecordKind kind, ClauseId clause, std::initializer_list
     record.feed = state.feed;
     record.feed_mode = state.feed_mode;
   }
-  return record;
 }
 
 Record BlockBase::motion_to(RecordKind kind, ClauseId clause, AxisSet named, const Position& to) {
@@ -66,11 +71,11 @@ Record BlockBase::motion_to(RecordKind kind, ClauseId clause, AxisSet named, con
 }
 
 void BlockBase::rapid(ClauseId clause, std::initializer_list<AxisValue> to) {
-  put(motion(RecordKind::rapid, clause, to));
+  write_motion(put_record(), RecordKind::rapid, clause, to);
 }
 
 void BlockBase::feed(ClauseId clause, std::initializer_list<AxisValue> to) {
-  put(motion(RecordKind::feed, clause, to));
+  write_motion(put_record(), RecordKind::feed, clause, to);
 }
 
 Record BlockBase::arc_to(ClauseId clause, AxisSet named, const Position& to,

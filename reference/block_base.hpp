@@ -56,6 +56,13 @@ struct BlockBase {
   void name_corners(Axis positioning, Axis cutting, const Number& taper, const Position& c) const;
   // The position gets new coordinates; nothing moves.
   void rename(const Position& to);
+
+ private:
+  // A record to be written where it is put out, for copies of it cost more than all else of a
+  // block.
+  Record& put_record() { return std::get<Record>(out.items.emplace_back()); }
+  void write_motion(Record& record, RecordKind kind, ClauseId clause,
+                    std::initializer_list<AxisValue> to);
 };
 
 // What stands between programs, once a block has run: a second % ends the program, which `clause`

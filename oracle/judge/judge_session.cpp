@@ -73,26 +73,29 @@ JudgeSession::JudgeSession(const Profile& profile, const ProgramText& program,
       stands_(profile.initial.at) {
   AssignmentSet all(profile);
   if (all.leaves_open()) taken_.emplace();
-  Fork& first = add_fork(std::move(all));
-  if (!taken_) first.judge.watched().stop_watching();
+  add_fork(std::move(all));
+  if (!taken_) alive_.front()->judge.watched().stop_watching();
 }
 
 JudgeSession::~JudgeSession() = default;
 
 // J-READ-01.
-JudgeSession::Fork& JudgeSession::add_fork(AssignmentSet set) {
+void JudgeSession::add_fork(AssignmentSet set, std::size_t known) {
   Fork& fork = *alive_.emplace_back(
       std::make_unique<Fork>(profile_, program_, tolerances_, std::move(set), forking_));
-  if (taken_) {
-    taken_->replay(program_, [&](const Record& record) { return fork.judge.record(record); });
-  }
-  return fork;
+  if (!taken_) return;
+  const std::size_t taken = known == 0 ? 0 : fork.judge.take_own(known);
+  taken_->replay(
+      program_, [&](const Record& record) { return fork.judge.record(record); }, taken);
 }
 
-void JudgeSession::part(Fork& fork) {
+// What came before the item by which they part is the same on each side.
+void JudgeSession::part(Fork& fork, bool behind_records) {
+  std::size_t known = taken_ ? taken_->own_at_beginning() : 0;
+  if (known != 0 && !behind_records) --known;
   for (const auto& [key, value] : fork.judge.watched().take_parted()) {
     open_.insert(key);
-    add_fork(fork.set.with(key, value));
+    add_fork(fork.set.with(key, value), known);
     fork.set.leave_out(key, value);
   }
 }
@@ -292,7 +295,7 @@ void JudgeSession::finish_forks(const RunEnd& end) {
     Fork& fork = *alive_[i];
     SampledVerdict said{fork.judge.finish(end), 0};
     said.progress = fork.judge.progress();
-    part(fork);
+    part(fork, true);
     most_others_ = std::max(most_others_, fork.judge.watched().others());
     if (decision(said.verdict.kind) == Decision::go) {
       for (const ReadingKey key : open_lengths(fork.set, fork.judge.readings())) {

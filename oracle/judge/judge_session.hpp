@@ -65,9 +65,10 @@ class JudgeSession {
   struct Fork;
 
   void log(const Record& record, bool undecided);
-  Fork& add_fork(AssignmentSet set);
-  // The assignments that have parted from that fork get forks.
-  void part(Fork& fork);
+  // `known`: how many of its records are known to be the first items of its reference.
+  void add_fork(AssignmentSet set, std::size_t known = 0);
+  // The assignments that have parted from that fork get forks: at the last record, or behind it.
+  void part(Fork& fork, bool behind_records = false);
   void settle_forks();
   void stop_forking();
   void bury(Fork& fork);

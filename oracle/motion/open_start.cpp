@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/motion/open_start.hpp"
 
+#include <algorithm>
+
 #include "oracle/region/constants.hpp"
 #include "reference/geometry/intersections.hpp"
 
@@ -15,24 +17,27 @@ Point_2 start_at(const PlaneVector& v) {
   return {v.p, v.q};
 }
 
-// The part of the polygon where normal . v <= limit. CGAL's kernel clips no polygon.
-std::vector<PlaneVector> cut(const std::vector<PlaneVector>& polygon, const PlaneVector& normal,
-                             const Number& limit) {
+// Leaves the part of the polygon where normal . v <= limit. CGAL's kernel clips no polygon.
+void cut(std::vector<PlaneVector>& polygon, const PlaneVector& normal, const Number& limit) {
+  std::vector<Number> beyond;
+  std::vector<int> sides;
+  for (const PlaneVector& corner : polygon) {
+    beyond.push_back(dot(normal, corner) - limit);
+    sides.push_back(beyond.back().sign());
+  }
+  if (std::ranges::none_of(sides, [](int side) { return side > 0; })) return;
   std::vector<PlaneVector> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t j = (i + 1) % polygon.size();
     const PlaneVector& here = polygon[i];
-    const PlaneVector& next = polygon[(i + 1) % polygon.size()];
-    const Number beyond_here = dot(normal, here) - limit;
-    const Number beyond_next = dot(normal, next) - limit;
-    const int side_here = beyond_here.sign();
-    const int side_next = beyond_next.sign();
-    if (side_here <= 0) kept.push_back(here);
-    if (side_here * side_next < 0) {
-      const Number part = beyond_here / (beyond_here - beyond_next);
+    const PlaneVector& next = polygon[j];
+    if (sides[i] <= 0) kept.push_back(here);
+    if (sides[i] * sides[j] < 0) {
+      const Number part = beyond[i] / (beyond[i] - beyond[j]);
       kept.push_back({here.p + part * (next.p - here.p), here.q + part * (next.q - here.q)});
     }
   }
-  return kept;
+  polygon = std::move(kept);
 }
 
 // A rational near a value, and how far from it the value may lie: nothing for a rational.
@@ -51,10 +56,11 @@ std::vector<PlaneVector> cut_to_box(std::vector<PlaneVector> polygon, const Plan
                                     const PlaneVector& row_q, const PlaneVector& point,
                                     const Number& tolerance) {
   auto opposite = [](const PlaneVector& v) { return PlaneVector{-v.p, -v.q}; };
-  polygon = cut(polygon, row_p, point.p + tolerance);
-  polygon = cut(polygon, opposite(row_p), tolerance - point.p);
-  polygon = cut(polygon, row_q, point.q + tolerance);
-  return cut(polygon, opposite(row_q), tolerance - point.q);
+  cut(polygon, row_p, point.p + tolerance);
+  cut(polygon, opposite(row_p), tolerance - point.p);
+  cut(polygon, row_q, point.q + tolerance);
+  cut(polygon, opposite(row_q), tolerance - point.q);
+  return polygon;
 }
 
 }  // namespace

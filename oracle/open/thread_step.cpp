@@ -3,7 +3,6 @@
 
 #include "oracle/steps/step_text.hpp"
 
-
 namespace gonogo::oracle {
 
 using Path = ThreadJudge::Path;
@@ -22,37 +21,63 @@ OpenStepAnswer answer_of(ThreadJudge& judge, const Motion& motion) {
 
 ThreadStep::ThreadStep(const reference::ThreadMilling& item, const Position& start,
                        const Tolerances& tolerances, RunOutSet& run_outs)
-    : ways_{Way{{item, Path::named, start, tolerances, run_outs}},
-            Way{{item, Path::mirrored, start, tolerances, run_outs}, !item.arc_path},
-            Way{{item, Path::open, start, tolerances, run_outs}, !item.arc_path}} {}
+    : item_(item),
+      start_(start),
+      tolerances_(tolerances),
+      run_outs_(run_outs),
+      ways_{Way{Path::named}, Way{Path::mirrored, !item.arc_path},
+            Way{Path::open, !item.arc_path}} {
+  begin(ways_.front());
+}
+
+void ThreadStep::begin(Way& way) {
+  way.judge.emplace(item_, way.path, start_, tolerances_, run_outs_);
+  std::optional<OpenStepAnswer> taken;
+  for (std::size_t i = 0; i < taken_.size() && way.is_left; ++i) take_by(way, taken_[i], i, taken);
+}
+
+// Of two departures the later one counts; but what is not known of the other must stay known.
+void ThreadStep::take_by(Way& way, const Motion& motion, std::size_t number,
+                         std::optional<OpenStepAnswer>& taken) {
+  OpenStepAnswer answer = answer_of(*way.judge, motion);
+  way.is_left = !answer.is_decided();
+  if (way.is_left) {
+    taken = std::move(answer);
+  } else if (!departed_ ||
+             (decision(departed_->kind) != Decision::undecided && number >= departed_at_)) {
+    departed_ = std::move(answer.verdict);
+    departed_at_ = number;
+  }
+}
 
 OpenStepAnswer ThreadStep::take(const Motion& motion) {
   std::optional<OpenStepAnswer> taken;
+  bool all_begun = true;
   for (Way& way : ways_) {
     if (!way.is_left) continue;
-    OpenStepAnswer answer = answer_of(way.judge, motion);
-    if (answer.is_decided()) {
-      depart(way, std::move(answer.verdict));
-    } else {
-      taken = std::move(answer);
+    if (!way.judge && taken && may_wait()) {
+      all_begun = false;
+      continue;
     }
+    if (!way.judge) begin(way);
+    if (way.is_left) take_by(way, motion, motions_, taken);
+  }
+  ++motions_;
+  if (all_begun) {
+    taken_.clear();
+  } else {
+    taken_.push_back(motion);
   }
   return taken ? *std::move(taken) : OpenStepAnswer::decide(*departed_);
-}
-
-// The later one counts; but what is not known of the other must stay known.
-void ThreadStep::depart(Way& way, Verdict verdict) {
-  way.is_left = false;
-  if (!departed_ || decision(departed_->kind) != Decision::undecided) {
-    departed_ = std::move(verdict);
-  }
 }
 
 std::optional<Verdict> ThreadStep::end(const Position& here) {
   std::optional<Verdict> why_not;
   for (Way& way : ways_) {
     if (!way.is_left) continue;
-    why_not = way.judge.end(here);
+    if (!way.judge) begin(way);
+    if (!way.is_left) continue;
+    why_not = way.judge->end(here);
     if (!why_not) return std::nullopt;
   }
   return why_not;

@@ -6,8 +6,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "oracle/open/thread_judge.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -19,17 +22,29 @@ class ThreadStep : public OpenStep {
 
   OpenStepAnswer take(const Motion& motion) override;
   std::optional<Verdict> end(const Position& here) override;
-  Exit exit(const Position& here) const override { return ways_.back().judge.exit(here); }
+  Exit exit(const Position& here) const override { return ways_.front().judge->exit(here); }
 
  private:
   struct Way {
-    ThreadJudge judge;
+    ThreadJudge::Path path;
     bool is_left = true;
+    std::optional<ThreadJudge> judge = {};  // none: it has not begun
   };
-  void depart(Way& way, Verdict verdict);
+  void begin(Way& way);
+  void take_by(Way& way, const Motion& motion, std::size_t number,
+               std::optional<OpenStepAnswer>& taken);
+  // The filter: a way begins when those before it have departed, as long as its motions are kept.
+  bool may_wait() const { return tolerances_.skip_equal && taken_.size() < kMostParts; }
 
+  const reference::ThreadMilling& item_;
+  const Position start_;
+  const Tolerances& tolerances_;
+  RunOutSet& run_outs_;
   std::array<Way, 3> ways_;  // what stands behind says more of a path that is neither
+  std::size_t motions_ = 0;
+  std::vector<Motion> taken_;  // while there are ways that have not begun
   std::optional<Verdict> departed_;
+  std::size_t departed_at_ = 0;
 };
 
 }  // namespace gonogo::oracle

@@ -220,7 +220,7 @@ std::optional<int> Number::try_sign() const {
 }
 
 // What may be zero is as large as its width at most.
-Number abs(const Number& value) {
+Number NumberAccess::abs(const Number& value) {
   const std::optional<int> sign = value.try_sign();
   if (!sign) return sqrt(value * value);
   return *sign < 0 ? -value : value;

@@ -34,6 +34,7 @@ struct NumberAccess {
   static Number multiply(const Number& a, const Number& b);
   static Number divide(const Number& a, const Number& b);
   static Number negate(const Number& a);
+  static Number abs(const Number& a);
   static int sign(const Number& a);
   static int compare(const Number& a, const Number& b);
 };
@@ -145,6 +146,11 @@ inline Number Number::operator-() const {
     return millionths(-millionths_);
   }
   return NumberAccess::negate(*this);
+}
+
+inline Number abs(const Number& value) {
+  if (NumberAccess::node(value) != nullptr) return NumberAccess::abs(value);
+  return NumberAccess::millionths(value) < 0 ? -value : value;
 }
 
 inline int Number::compare(const Number& a, const Number& b) {

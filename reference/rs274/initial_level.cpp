@@ -14,6 +14,7 @@ InitialLevel::InitialLevel(const BlockContext& block) : readings_(block.readings
   of_block_ = here;
   of_place_ = *series->place;
   of_number_ = modes.length_of(series->number);
+  is_one_ = of_place_ == of_block_ && of_number_ == of_block_;
 }
 
 }  // namespace gonogo::reference::rs274

@@ -17,6 +17,7 @@ class InitialLevel {
   template <typename F>
   auto of(F f) const {
     auto of_block = f(of_block_);
+    if (is_one_) return of_block;
     auto of_place = f(of_place_);
     auto of_number = f(of_number_);
     const bool kept_alike = of_place == of_number;
@@ -28,7 +29,7 @@ class InitialLevel {
   // Whether it holds for I0 under each of them.
   template <typename Holds>
   bool always(Holds holds) const {
-    return holds(of_block_) && holds(of_place_) && holds(of_number_);
+    return holds(of_block_) && (is_one_ || (holds(of_place_) && holds(of_number_)));
   }
 
  private:
@@ -36,6 +37,7 @@ class InitialLevel {
   Number of_block_;   // ngc.cycle.initial = block
   Number of_place_;   // of a series; ngc.cycle.initial-kept = place
   Number of_number_;  // ngc.cycle.initial-kept = number
+  bool is_one_;       // all three are the same
 };
 
 }  // namespace gonogo::reference::rs274
