@@ -326,6 +326,19 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Tol
   }
 }
 
+// A motion of an earlier block is too many there, unless it is the one that is due.
+std::uint64_t departing_block(const Refutation& refutation, const ReferenceSteps& steps) {
+  Motion motion = *refutation.motion;
+  const std::uint64_t got = motion.record.block;
+  const std::uint64_t due = refutation.from.curve->motion().record.block;
+  if (due == 0) return got;
+  motion.record.block = due;
+  const bool is_earlier = got != 0 && got < due && steps.is_in_order();
+  return is_earlier && refutation.from.curve->follow(refutation.from.progress, motion).departs()
+             ? got
+             : due;
+}
+
 }  // namespace
 
 Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances,
@@ -340,7 +353,7 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Toler
   }
   Verdict verdict;
   verdict.clause = want.record.clause;
-  verdict.block = want.record.block != 0 ? want.record.block : motion.record.block;
+  verdict.block = departing_block(refutation, steps);
   verdict.record = motion.number;
   verdict.want = record_text(want.record);
   verdict.got = record_text(motion.record);

@@ -44,7 +44,8 @@ void ProgramJudge::name_line(Verdict& verdict, std::size_t number) const {
   if (verdict.block != 0 || decision(verdict.kind) != Decision::no_go || verdict.want.empty())
     return;
   const ReferenceSteps::Step* const step = reference_.known(number);
-  if (step != nullptr && step_text(step->what) == verdict.want) verdict.block = step->block;
+  if (step == nullptr || step_text(step->what) != verdict.want) return;
+  verdict.block = verdict.kind == VerdictKind::fail_overrun ? step->left_block : step->block;
 }
 
 void ProgramJudge::decide_departure() {
@@ -54,9 +55,9 @@ void ProgramJudge::decide_departure() {
   departed_at_ = departed_at;
   name_line(verdict, alignment_.refutation().from.step);
   decide(std::move(verdict));
-  if (verdict_->kind == VerdictKind::fail_geometry) {
-    other_order_ = std::move(alignment_.refutation().other_order);
-  }
+  if (verdict_->kind != VerdictKind::fail_geometry) return;
+  surplus_ = surplus_of(alignment_.refutation(), reference_, tolerances_);
+  other_order_ = std::move(alignment_.refutation().other_order);
 }
 
 bool ProgramJudge::record(const Record& record) {

@@ -9,6 +9,7 @@
 
 #include "oracle/judge/alignment.hpp"
 #include "oracle/judge/no_alarm_reason.hpp"
+#include "oracle/judge/surplus.hpp"
 #include "oracle/motion/plain_motion.hpp"
 #include "oracle/motion/progress.hpp"
 #include "oracle/open/open_step_memory.hpp"
@@ -41,6 +42,8 @@ class ProgramJudge {
   std::size_t progress() const { return departed_at_.value_or(reference_.items()); }
   // Whether nothing that is still to come changes the answer.
   bool is_decided() const { return verdict_.has_value() && !other_order_.shows; }
+  // Where it has departed by a motion that may be one too many of an earlier block.
+  const std::optional<Surplus>& surplus() const { return surplus_; }
   // What its reference has asked for so far.
   const reference::ReadingsInUse& readings() const { return reference_.readings(); }
   // The alternatives that say something else than its reference so far.
@@ -129,9 +132,10 @@ class ProgramJudge {
   std::optional<InStep> in_step_;
 
   std::optional<Verdict> verdict_;
-  OtherOrder other_order_;                              // of the verdict, while it is looked for
-  std::size_t looked_at_ = 0;                           // records since then
-  std::optional<std::size_t> departed_at_;              // in items
+  OtherOrder other_order_;                  // of the verdict, while it is looked for
+  std::size_t looked_at_ = 0;               // records since then
+  std::optional<std::size_t> departed_at_;  // in items
+  std::optional<Surplus> surplus_;
   std::vector<SubjectMFunction> m_functions_of_alarm_;  // which may be of the block that alarms
   std::optional<Record> end_record_;                    // the subject's `end`
 };

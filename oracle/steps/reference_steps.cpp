@@ -60,6 +60,9 @@ const reference::Item* ReferenceSteps::next_item() {
   is_at_silent_end_ = is_silent_end(*item);
   cut_block_ = next_cut_block_;
   if (std::visit(Cuts{}, *item)) next_cut_block_ = line_of(*item);
+  left_block_ = next_left_block_;
+  const auto* const record = std::get_if<Record>(item);
+  if (record == nullptr || record->kind != RecordKind::m) next_left_block_ = line_of(*item);
   return item;
 }
 
@@ -101,6 +104,7 @@ void ReferenceSteps::take(const reference::Item& item) {
   step.item = items_;
   step.block = line_of(item);
   step.cut_block = cut_block_;
+  step.left_block = left_block_;
   step.m_functions = taken_m_functions_ + m_functions_.size();
   if (record != nullptr && is_motion(record->kind)) {
     Motion motion = motion_from(place_, *record, items_);

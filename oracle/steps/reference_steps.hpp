@@ -40,11 +40,12 @@ class ReferenceSteps {
 
   struct Step {
     ReferenceStep what;
-    Position place;               // where the reference stands before it
-    std::size_t item = 0;         // its number among the items of the reference, from 1
-    std::uint64_t block = 0;      // its line, declared or not; 0: it has none
-    std::uint64_t cut_block = 0;  // the line of the last cut before it
-    std::size_t m_functions = 0;  // how many of them come before it
+    Position place;                // where the reference stands before it
+    std::size_t item = 0;          // its number among the items of the reference, from 1
+    std::uint64_t block = 0;       // its line, declared or not; 0: it has none
+    std::uint64_t cut_block = 0;   // the line of the last cut before it
+    std::uint64_t left_block = 0;  // the line of the step before it; 0: it is the first
+    std::size_t m_functions = 0;   // how many of them come before it
     mutable std::shared_ptr<const Curve> curve = {};  // of a motion, once it has been asked for
   };
 
@@ -112,6 +113,8 @@ class ReferenceSteps {
   bool leaves_out_m_functions_;
   std::uint64_t cut_block_ = 0;       // as of a step, of the item that came last
   std::uint64_t next_cut_block_ = 0;  // and of the next one
+  std::uint64_t left_block_ = 0;
+  std::uint64_t next_left_block_ = 0;
   std::size_t items_ = 0;
   std::size_t passes_ = 0;
   std::map<std::size_t, Position> settled_;  // where open paths ended, of the steps that are kept

@@ -247,6 +247,43 @@ TEST(DepartureMessage, AMotionThatFitsLaterIsOutOfOrder) {
             "A later motion comes here: one before it is missing, or comes after it.");
 }
 
+constexpr const char* kCutAndTraverse = "G00 X130 Z5\nG01 Z-28 F100\nG00 X140\n";
+
+// Lines 1 and 2 as they are due, a traverse back that no block asks for, and the one of line 3.
+TraceText one_too_many() {
+  TraceText trace(1);
+  trace.rapid({{'x', 65}, {'z', 5}}).block(2, 100).feed({{'z', -28}});
+  return trace.rapid({{'z', 5}});
+}
+
+TEST(DepartureMessage, AMotionTooManyIsOfTheBlockThatMadeIt) {
+  const TraceText trace = one_too_many().block(3, 0).rapid({{'x', 70}});
+  EXPECT_EQ(judge_trace(kCutAndTraverse, trace.text()).block, 2U);
+}
+
+TEST(DepartureMessage, WithoutLinesTheNextRecordShowsAMotionTooMany) {
+  Judging judging;
+  judging.blocks = false;
+  const TraceText shown = one_too_many().rapid({{'x', 70}});
+  EXPECT_EQ(judge_trace(kCutAndTraverse, shown.text(), judging).block, 2U);
+  const TraceText elsewhere = one_too_many().rapid({{'x', 71}});
+  EXPECT_EQ(judge_trace(kCutAndTraverse, elsewhere.text(), judging).block, 3U);
+  TraceText wrong_way(1);
+  wrong_way.rapid({{'x', 65}, {'z', 5}}).block(2, 100).feed({{'z', -28}});
+  wrong_way.block(3, 100).feed({{'x', 69}}).rapid({{'x', 70}});
+  EXPECT_EQ(judge_trace(kCutAndTraverse, wrong_way.text(), judging).block, 3U);
+}
+
+TEST(DepartureMessage, AMotionBehindAllIsOfTheLastBlockThatMoves) {
+  const char* const program = "G00 X130 Z5\nG01 Z-28 F100\nM30\n";
+  Judging judging;
+  EXPECT_EQ(judge_trace(program, one_too_many().text(), judging).block, 2U);
+  judging.blocks = false;
+  const Verdict verdict = judge_trace(program, one_too_many().text(), judging);
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_overrun) << verdict.message;
+  EXPECT_EQ(verdict.block, 2U);
+}
+
 // J-CMP-12. By hand: 7/3 = 2.3333..., the root of 2 = 1.41421356237...
 TEST(DepartureMessage, AWitnessIsPrintedWithNineDecimalsBesideItsExactText) {
   EXPECT_EQ(point_for_people(R"({"x":"65","z":"4.9"})"), R"({"x":"65","z":"4.9"})");
