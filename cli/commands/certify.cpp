@@ -266,6 +266,7 @@ void describe_smallest(const oracle::Corpus& corpus, const oracle::ResultsHeader
   const auto run = nlohmann::ordered_json::parse(header_line(header));
   std::map<std::string, oracle::evidence::CaseRow*> wanted;
   for (auto& [number, row] : summary.smallest) {
+    row.in_force = in_force_of(row);
     row.next = again_command(run, row);
     wanted[row.id] = &row;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publish/evidence/case_row.hpp"
 
+#include "fuzz/program/in_force.hpp"
 #include "oracle/records/fresh_counts.hpp"
 #include "oracle/records/point_text.hpp"
 #include "oracle/records/text.hpp"
@@ -46,7 +47,6 @@ CaseRow case_row(const Json& line) {
   if (const auto profile = line.find("profile"); profile != line.end()) {
     facts.profile = profile->dump();
   }
-  facts.in_force = report::in_force_of(line);
   return facts;
 }
 
@@ -66,6 +66,16 @@ CaseRow case_row(const CaseHead& line) {
   facts.microseconds = line.microseconds;
   facts.expected = line.expected;
   return facts;
+}
+
+std::string in_force_of(const CaseRow& row) {
+  if (row.decision() == Decision::go || !row.program) return {};
+  const auto profile = report::case_profile(
+      row.dialect, row.profile.empty() ? Json::object() : Json::parse(row.profile));
+  const auto* const machine = std::get_if<reference::Profile>(&profile);
+  const auto block = row.block ? row.block : line_wanted(row.want);
+  if (machine == nullptr || !block) return {};
+  return program::in_force_text(*machine, *row.program, *block);
 }
 
 std::string again_command(const Json& header, const CaseRow& facts) {

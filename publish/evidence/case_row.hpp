@@ -36,6 +36,9 @@ CaseRow case_row(const Json& line);
 // What the head of a line says: all there is to say of a pass or a skip.
 CaseRow case_row(const CaseHead& line);
 
+// What earlier blocks leave in force in the one that departs; empty: nothing, or the case is GO.
+std::string in_force_of(const CaseRow& row);
+
 // The command that shows the case again; `header` is that of its results.
 std::string again_command(const Json& header, const CaseRow& facts);
 

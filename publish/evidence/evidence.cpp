@@ -10,13 +10,13 @@
 #include "campaign/encoding.hpp"
 #include "campaign/results_reader.hpp"
 #include "campaign/selection.hpp"
+#include "oracle/records/output_file.hpp"
 #include "publish/evidence/badge.hpp"
 #include "publish/evidence/causes.hpp"
 #include "publish/evidence/junit.hpp"
 #include "publish/evidence/markdown.hpp"
 #include "publish/evidence/programs.hpp"
 #include "publish/evidence/sarif.hpp"
-#include "oracle/records/output_file.hpp"
 #include "publish/report/command.hpp"
 #include "publish/report/html.hpp"
 #include "publish/report/json_value.hpp"
@@ -117,6 +117,7 @@ class Writers {
     if (const auto found = corpus_.find(row.id); found != corpus_.end()) {
       row.comment = found->second.comment;
     }
+    row.in_force = in_force_of(row);
     row.next = again_command(reader_.header(), row);
     const bool is_smallest = summary_.findings().is_smallest();
     markdown_.add(row, finding_, is_smallest);
@@ -127,6 +128,7 @@ class Writers {
     if (is_told_by_head(row)) return;
     Json shown = line;
     if (!row.comment.empty()) shown["comment"] = row.comment;
+    if (!row.in_force.empty()) shown["inForce"] = row.in_force;
     page_.add_detail(shown, is_smallest);
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publish/report/case_detail.hpp"
 
-#include "fuzz/program/in_force.hpp"
 #include "oracle/records/finding_text.hpp"
 #include "publish/report/case_times.hpp"
 #include "publish/report/escape.hpp"
@@ -126,19 +125,6 @@ std::optional<std::string> program_bytes(const Json& line) {
   return from_base64(text_of(*program, "base64"));
 }
 
-std::string in_force_of(const Json& line) {
-  const auto kind = verdict_kind(text_of(line, "verdict"));
-  const auto program = program_bytes(line);
-  if (!kind || decision(*kind) == Decision::go || !program) return {};
-  const auto profile =
-      case_profile(text_of(line, "dialect"), line.value("profile", Json::object()));
-  const auto* const machine = std::get_if<reference::Profile>(&profile);
-  const auto own = count_of(line, "b");
-  const auto block = own ? own : line_wanted(text_of(line, "want"));
-  if (machine == nullptr || !block) return {};
-  return program::in_force_text(*machine, *program, *block);
-}
-
 Json pass_detail(const CorpusCase& test) {
   Json detail = {{"comment", test.comment}, {"profile", test.profile}, {"program", test.program}};
   const auto profile = case_profile(test.dialect, test.profile);
@@ -169,9 +155,6 @@ Json case_detail(const Json& line, std::string_view subject_name, bool with_path
   if (std::string steps = want_and_got(text_of(line, "want"), text_of(line, "got"));
       !steps.empty()) {
     detail["steps"] = std::move(steps);
-  }
-  if (std::string in_force = in_force_of(line); !in_force.empty()) {
-    detail["inForce"] = std::move(in_force);
   }
   const auto program = program_bytes(line);
   if (!program) {

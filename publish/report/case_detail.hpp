@@ -14,8 +14,6 @@ namespace gonogo::oracle::report {
 
 // The bytes of a case's program; nothing when the line has none.
 std::optional<std::string> program_bytes(const Json& line);
-// What earlier blocks leave in force in the one that departs; empty: nothing, or the case is GO.
-std::string in_force_of(const Json& line);
 
 // A case of the corpus, and the profile that it was judged under.
 struct CorpusCase {
@@ -28,8 +26,9 @@ struct CorpusCase {
 // subject, so the path is the reference's.
 Json pass_detail(const CorpusCase& test);
 
-// `line` is a case line of a results file; `subject_name` stands on the sheet. `with_paths` false:
-// without drawing and records, to keep a page of very many failures small.
+// `line` is a case line of a results file, with what its writer knows besides; `subject_name`
+// stands on the sheet. `with_paths` false: without drawing and records, to keep a page of very many
+// failures small.
 Json case_detail(const Json& line, std::string_view subject_name, bool with_paths);
 
 }  // namespace gonogo::oracle::report

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "publish/evidence/case_row.hpp"
 #include "publish/evidence/junit.hpp"
 #include "publish/evidence/sarif.hpp"
 #include "publish/evidence/text.hpp"
@@ -369,6 +370,23 @@ TEST_F(Evidence, SummaryNamesAFindingOnceWithItsSmallestCase) {
   write(results_text(lines, "NO-GO"));
   EXPECT_EQ(occurrences(read("summary.md"), "\n### "), 1U);
   EXPECT_NE(read("summary.md").find("### 15 x fail.geometry"), std::string::npos);
+}
+
+TEST(CaseRow, SaysWhatEarlierLinesLeaveInForce) {
+  nlohmann::ordered_json line = {{"id", "a"},
+                                 {"dialect", "rs274"},
+                                 {"verdict", "fail.alarm-spurious"},
+                                 {"program", "G91\nG81 X1 Z-5 R2\nX1\n"},
+                                 {"b", 3U}};
+  const std::string told =
+      "G81 of line 2 (NGC-MOD-01); Z-5 R2 of line 2 (NGC-CYC-03); G91 of line 1 (NGC-DIS-01)";
+  EXPECT_EQ(in_force_of(case_row(line)), told);
+  line.erase("b");  // then it is the line of what is wanted
+  EXPECT_EQ(in_force_of(case_row(line)), "");
+  line["want"] = R"({"k":"rapid","b":3})";
+  EXPECT_EQ(in_force_of(case_row(line)), told);
+  line["verdict"] = "pass-exact";
+  EXPECT_EQ(in_force_of(case_row(line)), "");
 }
 
 TEST(EvidenceText, FileStemOfAnUnsafeIdStaysInItsFolder) {

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "publish/report/case_detail.hpp"
 #include "tests/publish/report/report_testing.hpp"
 
 namespace gonogo::oracle::report {
@@ -98,24 +97,6 @@ TEST_F(HtmlReport, a_failure_says_how_long_both_sides_take) {
 TEST_F(HtmlReport, where_both_sides_part_at_no_known_record_the_whole_counts) {
   const json times = times_of("gsk.g94.000003");
   EXPECT_EQ(times["rows"][0], json::array({"cuts", "18.75 s", "", "23.75 s", ""}));
-}
-
-TEST(CaseLine, a_finding_says_what_earlier_lines_leave_in_force) {
-  nlohmann::ordered_json line = {{"id", "a"},
-                                 {"dialect", "rs274"},
-                                 {"verdict", "fail.alarm-spurious"},
-                                 {"program", "G91\nG81 X1 Z-5 R2\nX1\n"},
-                                 {"b", 3U}};
-  const std::string told =
-      "G81 of line 2 (NGC-MOD-01); Z-5 R2 of line 2 (NGC-CYC-03); G91 of line 1 (NGC-DIS-01)";
-  EXPECT_EQ(in_force_of(line), told);
-  EXPECT_EQ(case_detail(line, "acme", false)["inForce"], told);
-  line.erase("b");  // then it is the line of what is wanted
-  EXPECT_EQ(in_force_of(line), "");
-  line["want"] = R"({"k":"rapid","b":3})";
-  EXPECT_EQ(in_force_of(line), told);
-  line["verdict"] = "pass-exact";
-  EXPECT_EQ(in_force_of(line), "");
 }
 
 TEST_F(HtmlReport, it_says_how_coordinates_are_rounded) {
