@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace gonogo::hunt {
@@ -89,6 +90,13 @@ bool reset_part(Profile& profile, std::size_t part) {
   const Profile before = profile;
   take_part(profile, fallback, part);
   return !(profile == before);
+}
+
+bool reset_start(Profile& profile, reference::Axis axis) {
+  const Profile fallback = std::get<Profile>(reference::default_profile(profile.dialect));
+  reference::Number& at = profile.initial.at[axis];
+  const reference::Number before = std::exchange(at, fallback.initial.at[axis]);
+  return at != before;
 }
 
 void mutate_profile(program::Dice& dice, Profile& profile, const Profile& other) {

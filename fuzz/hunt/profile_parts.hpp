@@ -31,6 +31,8 @@ std::size_t profile_parts();
 std::vector<std::size_t> parts_set(const reference::Profile& profile);
 // Sets part i of the profile to its default; false where it is there already.
 bool reset_part(reference::Profile& profile, std::size_t part);
+// The same of the place along one axis where the machine starts.
+bool reset_start(reference::Profile& profile, reference::Axis axis);
 // Changes one thing: a setting becomes that of `other`, which is of the same dialect, or a reading
 // another of its alternatives.
 void mutate_profile(program::Dice& dice, reference::Profile& profile,

@@ -2,11 +2,14 @@
 #include "fuzz/hunt/reduce.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "fuzz/hunt/profile_parts.hpp"
-#include "oracle/differential/differential.hpp"
+#include "fuzz/hunt/simpler.hpp"
 #include "fuzz/program/text.hpp"
+#include "oracle/differential/differential.hpp"
 
 namespace gonogo::hunt {
 namespace {
@@ -18,32 +21,9 @@ using program::TextLine;
 using Clock = std::chrono::steady_clock;
 using Lines = std::vector<TextLine>;
 
-// Shorter texts are simpler; of equal ones, that with the smaller value.
-bool is_simpler(const SmallDecimal& a, const SmallDecimal& b) {
-  const std::string x = a.text();
-  const std::string y = b.text();
-  if (x.size() != y.size()) return x.size() < y.size();
-  const auto [p, q] = same_scale(a, b);
-  return std::abs(p) < std::abs(q);
-}
-
-// Simpler values, the simplest first.
-std::vector<SmallDecimal> simpler_values(const SmallDecimal& number) {
-  std::vector<SmallDecimal> values = {{0, 0}, {1, 0},  {2, 0},
-                                      {5, 0}, {10, 0}, {-number.value, number.scale}};
-  SmallDecimal cut = number;
-  std::vector<SmallDecimal> shorter;
-  while (cut.scale > 0) {
-    cut = {cut.value / 10, cut.scale - 1};
-    shorter.push_back(cut);
-  }
-  values.insert(values.end(), shorter.rbegin(), shorter.rend());
-  for (std::int64_t step = 1'000'000; step >= 10; step /= 10) {
-    values.push_back({cut.value / step * step, 0});
-  }
-  values.push_back({cut.value / 2, 0});
-  std::erase_if(values, [&](const SmallDecimal& value) { return !is_simpler(value, number); });
-  return values;
+std::string code_or_name(const program::TextWord& word) {
+  const std::string code = code_of(word);
+  return code.empty() ? name_of(word) : code;
 }
 
 class Reducer {
@@ -115,10 +95,14 @@ class Reducer {
 
   void reduce_program(std::size_t i) {
     drop_lines(i);
+    drop_names(i);
     drop_words(i);
+    shorten_equal_numbers(i);
     shorten_numbers(i);
     plain_layout(i);
+    plain_spelling(i);
     reset_settings(i);
+    shorten_start(i);
   }
 
   void drop_lines(std::size_t i) {
@@ -132,6 +116,29 @@ class Reducer {
                  lines = std::move(fewer);
                  return true;
                });
+  }
+
+  // Words of one address, or one code, in all lines: each of them may need the others. Along an
+  // axis that nothing names any more the machine need not start from elsewhere.
+  void drop_names(std::size_t i) {
+    std::set<std::string> names;
+    for (const TextLine& line : lines_of(program(best_, i).text)) {
+      for (const program::TextWord& word : line.words) names.insert(code_or_name(word));
+    }
+    names.erase("");
+    for (const std::string& name : names) {
+      Reproducer candidate = best_;
+      generate::GeneratedProgram& fewer = program(candidate, i);
+      Lines lines = lines_of(fewer.text);
+      for (TextLine& line : lines) {
+        std::erase_if(line.words, [&](const auto& word) { return code_or_name(word) == name; });
+      }
+      fewer.text = text_of(lines);
+      for (const reference::Axis axis : reference::kAllAxes) {
+        if (name == std::string(1, "XYZAC"[index(axis)])) reset_start(fewer.profile, axis);
+      }
+      accepts(std::move(candidate));
+    }
   }
 
   void drop_words(std::size_t i) {
@@ -175,6 +182,26 @@ class Reducer {
     word.text = whole;
   }
 
+  // A number that stands in several words, in all of them: R and Z on one level.
+  void shorten_equal_numbers(std::size_t i) {
+    std::map<std::string, std::size_t> counts;
+    for (const TextLine& line : lines_of(program(best_, i).text)) {
+      for (const program::TextWord& word : line.words) {
+        if (!code_of(word).empty()) continue;
+        for (const program::NumberPlace& place : numbers_of(word)) ++counts[place.number.text()];
+      }
+    }
+    for (const auto& [text, count] : counts) {
+      if (count < 2) continue;
+      const SmallDecimal number = *program::value_of({"", "X" + text});
+      for (const SmallDecimal& value : simpler_values(number)) {
+        Lines lines = lines_of(program(best_, i).text);
+        for (TextLine& line : lines) replace_number(line, number, value);
+        if (accepts_text(i, lines)) break;
+      }
+    }
+  }
+
   // One blank between words, LF at the end of lines; line by line only where all at once fails.
   void plain_layout(std::size_t i) {
     const Lines lines = lines_of(program(best_, i).text);
@@ -194,10 +221,43 @@ class Reducer {
     }
   }
 
+  // Capitals, codes without blanks and zeros; word by word only where a whole line fails.
+  void plain_spelling(std::size_t i) {
+    Lines lines = lines_of(program(best_, i).text);
+    for (TextLine& line : lines) {
+      const TextLine whole = line;
+      for (program::TextWord& word : line.words) word.text = plain_text(word);
+      if (line == whole || accepts_text(i, lines)) continue;
+      line = whole;
+      for (program::TextWord& word : line.words) {
+        const std::string text = std::exchange(word.text, plain_text(word));
+        if (word.text != text && !accepts_text(i, lines)) word.text = text;
+      }
+    }
+  }
+
+  void shorten_start(std::size_t i) {
+    for (const reference::Axis axis : reference::kAllAxes) {
+      const std::string at = program(best_, i).profile.initial.at[axis].text();
+      const auto number = program::value_of({"", "X" + at});
+      if (!number || number->text() != at || number->value == 0) continue;
+      for (const SmallDecimal& value : simpler_values(*number)) {
+        Reproducer candidate = best_;
+        program(candidate, i).profile.initial.at[axis] =
+            reference::Number::parse(value.text()).value();
+        if (accepts(std::move(candidate))) break;
+      }
+    }
+  }
+
   void reset_settings(std::size_t i) {
     for (std::size_t part = 0; part < profile_parts(); ++part) {
       Reproducer candidate = best_;
       if (reset_part(program(candidate, i).profile, part)) accepts(std::move(candidate));
+    }
+    for (const reference::Axis axis : reference::kAllAxes) {
+      Reproducer candidate = best_;
+      if (reset_start(program(candidate, i).profile, axis)) accepts(std::move(candidate));
     }
   }
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
 #include "fuzz/program/text.hpp"
 #include "hunting.hpp"
 
@@ -60,6 +62,58 @@ TEST(Reduce, SettingsGoBackToTheirDefaults) {
     return reproducer.program.profile.units == reference::Units::inch;
   });
   EXPECT_EQ(reference::profile_json(result.reproducer.program.profile), R"({"units":"inch"})");
+}
+
+TEST(Reduce, TheMachineStartsElsewhereAlongNeededAxesAlone) {
+  generate::GeneratedProgram program = gsk("G00\n");
+  program.profile.initial.at[reference::Axis::x] = 5;
+  program.profile.initial.at[reference::Axis::z] = 3;
+  const Reduced result = reduced({{}, program}, [](const Reproducer& reproducer) {
+    return reproducer.program.profile.initial.at[reference::Axis::z] == 3;
+  });
+  EXPECT_EQ(reference::profile_json(result.reproducer.program.profile), R"({"initial":{"z":"3"}})");
+}
+
+// The X of both lines stay or go, and none stays without its start.
+TEST(Reduce, WordsThatNeedEachOtherGoTogether) {
+  generate::GeneratedProgram program = gsk("G00 X10 Z5\nG01 Z2 X20\n");
+  program.profile.initial.at[reference::Axis::x] = 5;
+  const Reduced result = reduced({{}, program}, [](const Reproducer& reproducer) {
+    const std::string& text = reproducer.program.text;
+    const bool starts = reproducer.program.profile.initial.at[reference::Axis::x] != 0;
+    const auto count = std::ranges::count(text, 'X');
+    return holds(reproducer, "Z2") && (count == 2 ? starts : count == 0 && !starts);
+  });
+  EXPECT_EQ(result.reproducer.program.text, "Z2\n");
+}
+
+TEST(Reduce, ANumberOfSeveralWordsBecomesShortInAll) {
+  const Reduced result = reduced({{}, gsk("R-1.75 Z-1.75\n")}, [](const Reproducer& reproducer) {
+    const std::string& text = reproducer.program.text;
+    const std::size_t z = text.find(" Z");
+    return text.starts_with("R-") && z != std::string::npos &&
+           text.substr(1, z - 1) + "\n" == text.substr(z + 2);
+  });
+  EXPECT_EQ(result.reproducer.program.text, "R-1 Z-1\n");
+}
+
+TEST(Reduce, WordsAreSpelledPlainly) {
+  const Reduced result = reduced({{}, gsk("g0  1 x 2\n")}, [](const Reproducer& reproducer) {
+    const std::vector<program::TextLine> lines = program::lines_of(reproducer.program.text);
+    return lines.size() == 1 && lines[0].words.size() == 2 &&
+           code_of(lines[0].words[0]) == "G1" && value_of(lines[0].words[1])->text() == "2";
+  });
+  EXPECT_EQ(result.reproducer.program.text, "G1 X2\n");
+}
+
+TEST(Reduce, TheStartBecomesAShortNumber) {
+  generate::GeneratedProgram program = gsk("G00\n");
+  program.profile.initial.at[reference::Axis::z] = reference::Number::parse("44.4995").value();
+  const Reduced result = reduced({{}, program}, [](const Reproducer& reproducer) {
+    return reproducer.program.profile.initial.at[reference::Axis::z] > 3;
+  });
+  EXPECT_EQ(reference::profile_json(result.reproducer.program.profile),
+            R"({"initial":{"z":"5"}})");
 }
 
 TEST(Reduce, ProgramsBeforeItGo) {
