@@ -139,7 +139,7 @@ std::string numbers_text(const Numbers& numbers, std::size_t most) {
 
 std::string finding_head(const oracle::Finding& finding) {
   if (finding.cases == 1) {
-    return fmt::format("{} {}", finding.smallest.id, name(finding.key.kind));
+    return fmt::format("{} {}", finding.smallest.id, name(finding.shown.kind));
   }
   return finding.line();
 }

@@ -85,7 +85,7 @@ std::string group_of(const Symptom& symptom, const Causes& causes) {
   if (!one.undue_alarm().empty()) return "alarm\n" + one.undue_alarm();
   if (one.is_surplus()) return "surplus";
   if (one.clause.empty() || oracle::is_breakdown(one.kind)) return "alone\n" + one.text();
-  return fmt::format("shape\n{}\n{}\n{}", name(one.kind), one.clause, one.what);
+  return fmt::format("step\n{}\n{}", name(one.kind), one.clause);
 }
 
 void sort_findings(HuntSummary& summary) {

@@ -30,8 +30,8 @@ struct Symptom {
 
 struct CampaignFinding {
   // The one mistake that explains every symptom, a sentence without its full stop. Empty: none that
-  // was tried does, and the symptoms are of one clause and one shape of departure, or have one
-  // alarm too many, or motions too many.
+  // was tried does, and the symptoms are of one kind and one step, by its clause, or have one alarm
+  // too many, or motions too many.
   std::string cause;
   std::vector<Symptom> symptoms;  // by gravity, then that which most programs showed
 
@@ -63,8 +63,8 @@ struct HuntSummary {
 HuntSummary summarize_campaign(const std::string& folder);
 
 using Causes = std::map<Signature, std::string>;
-// Symptoms of one cause become one finding; of those without, those of one kind, clause and shape
-// in any code, those with one class of alarm that is not due, and those with a surplus motion.
+// Symptoms of one cause become one finding; of those without, those of one kind and clause in any
+// code, those with one class of alarm that is not due, and those with a surplus motion.
 void group_findings(HuntSummary& summary, const Causes& causes);
 
 // "Behaves as if: I J K are taken as absolute.", or that there is none.

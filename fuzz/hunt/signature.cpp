@@ -3,25 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "corpus/io/sha256.hpp"
 #include "fuzz/program/modes.hpp"
 #include "oracle/records/finding.hpp"
-#include "oracle/records/finding_text.hpp"
 
 namespace gonogo::hunt {
 namespace {
 
 constexpr std::string_view kOfEarlierBlock = " of an earlier block";
-
-// The reference is at a later block: what it has there is chance.
-bool is_of_earlier_block(const oracle::Verdict& verdict) {
-  const std::optional<std::uint64_t> want = oracle::line_wanted(verdict.want);
-  const std::optional<std::uint64_t> got = oracle::line_wanted(verdict.got);
-  const bool is_motion = verdict.got.find("\"class\":") == std::string::npos;
-  return want && got && *got < *want && is_motion;
-}
 
 }  // namespace
 
@@ -57,7 +46,8 @@ Signature signature_of(const oracle::Verdict& verdict, const generate::Generated
   signature.clause = reference::clause_name(verdict.clause);
   signature.what = oracle::departed_about(verdict.kind, verdict.want, verdict.got, verdict.message);
   if (oracle::is_breakdown(verdict.kind)) return signature;
-  if (is_of_earlier_block(verdict)) signature.what += kOfEarlierBlock;
+  // The reference is at a later block: what it has there is chance.
+  if (oracle::is_of_earlier_block(verdict.want, verdict.got)) signature.what += kOfEarlierBlock;
   signature.code = program::ProgramText(program.profile, program.text).code_at(verdict.block);
   return signature;
 }

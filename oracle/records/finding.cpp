@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <tuple>
 
+#include "oracle/records/finding_text.hpp"
 #include "oracle/records/run_scope.hpp"
 #include "oracle/records/text.hpp"
 
@@ -82,7 +84,31 @@ bool is_label(const Finding::Key& key) {
   return !want.empty() && !got.empty() && want != got && got != "rapid";
 }
 
+Finding::Key shown_key(const CaseHead& line, VerdictKind kind) {
+  return {gravity(kind), kind, line.dialect, line.clause,
+          departed_about(kind, line.want, line.got, line.message)};
+}
+
+// What its finding has in common.
+Finding::Key key_of(const CaseHead& line, Finding::Key shown) {
+  const bool is_undue =
+      shown.kind == VerdictKind::fail_alarm_spurious || shown.kind == VerdictKind::fail_alarm_class;
+  if (!is_undue && !is_of_earlier_block(line.want, line.got)) return shown;
+  shown.clause.clear();
+  shown.what = (is_undue ? "not due: " : "of an earlier block: ") + about(line.got);
+  if (!is_undue) return shown;
+  shown.kind = VerdictKind::fail_alarm_spurious;
+  shown.gravity = gravity(shown.kind);
+  return shown;
+}
+
 }  // namespace
+
+bool is_of_earlier_block(std::string_view want, std::string_view got) {
+  const std::optional<std::uint64_t> due = line_wanted(want);
+  const std::optional<std::uint64_t> came = line_wanted(got);
+  return due && came && *came < *due && !member(got, "k").empty() && member(got, "class").empty();
+}
 
 bool is_other_answer(VerdictKind kind) {
   return kind >= VerdictKind::fail_geometry && kind <= VerdictKind::fail_alarm_late;
@@ -117,11 +143,11 @@ std::string Cause::text() const {
 }
 
 std::string Finding::text() const {
-  std::string out(name(key.kind));
-  if (!key.clause.empty()) out += " at " + key.clause;
-  const bool is_told = is_told_by_message(key.kind);
+  std::string out(name(shown.kind));
+  if (!shown.clause.empty()) out += " at " + shown.clause;
+  const bool is_told = is_told_by_message(shown.kind);
   const bool is_one = is_told && messages.size() == 1 && !messages.begin()->empty();
-  const std::string said = is_one ? excerpt(*messages.begin(), kLongestHeading) : key.what;
+  const std::string said = is_one ? excerpt(*messages.begin(), kLongestHeading) : shown.what;
   const std::string_view what = said;
   const std::size_t slash = what.find('/');
   if (is_told || slash == std::string_view::npos) {
@@ -151,20 +177,25 @@ std::string Finding::line() const {
 const Finding* Findings::add(const CaseHead& line, VerdictKind kind) {
   is_smallest_ = false;
   if (!is_finding(line, kind)) return nullptr;
-  Finding::Key key{gravity(kind), kind, line.dialect, line.clause,
-                   departed_about(kind, line.want, line.got, line.message)};
+  Finding::Key shown = shown_key(line, kind);
+  Finding::Key key = key_of(line, shown);
   if (findings_.size() >= kMostFindings && !findings_.contains(key)) {
     key.dialect = key.clause = "";
     key.what = "of further kinds";
+    shown = key;
   }
   auto [place, added] = findings_.try_emplace(std::move(key));
   Finding& finding = place->second;
   if (added) {
     finding.key = place->first;
+    finding.shown = shown;
     finding.number = findings_.size();
     const auto cause = causes_.find(place->first);
     if (cause != causes_.end()) finding.cause = cause->second;
   }
+  finding.shown.kind = std::min(finding.shown.kind, shown.kind);
+  if (finding.shown.clause != shown.clause) finding.shown.clause.clear();
+  if (finding.shown.what != shown.what) finding.shown.what = finding.key.what;
   ++finding.cases;
   ++finding.by_cycle[line.cycle];
   if (finding.first.size() < kFirstOfFinding) finding.first.push_back(line.id);

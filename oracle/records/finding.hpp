@@ -23,6 +23,9 @@ namespace gonogo::oracle {
 std::string departed_about(VerdictKind kind, std::string_view want, std::string_view got,
                            std::string_view message);
 
+// Whether the subject's motion is of a block that the reference has left. Both are texts of steps.
+bool is_of_earlier_block(std::string_view want, std::string_view got);
+
 // Whether the subject answered otherwise than the reference, rather than not at all or not as the
 // protocol says.
 bool is_other_answer(VerdictKind kind);
@@ -42,7 +45,8 @@ struct Cause {
   std::string text() const;
 };
 
-// The cases that depart in one way, as far as their lines show.
+// The cases that depart in one way, as far as their lines show. What was due in the place of one
+// class of alarm that is not due, or of a motion of an earlier block, is chance.
 struct Finding {
   struct Key {
     unsigned gravity = 0;
@@ -60,6 +64,7 @@ struct Finding {
     std::size_t bytes = 0;
   };
   Key key;
+  Key shown;  // for people: of the cases themselves, as far as they have the same
   std::size_t number = 0;  // from 1, in the order in which they were met
   std::size_t cases = 0;
   Example smallest;

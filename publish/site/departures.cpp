@@ -31,7 +31,7 @@ Finding::Key key_of(const CaseHead& line, VerdictKind kind) {
 
 std::string Departure::text() const {
   Finding finding;
-  finding.key = key;
+  finding.shown = key;
   return finding.text();
 }
 

@@ -59,6 +59,36 @@ TEST(Findings, kinds_of_record_and_clauses_are_kept_apart) {
   EXPECT_EQ(findings.list()[1]->text(), "fail.geometry at GSK-G94-02 (rapid for feed)");
 }
 
+// What the next motion is, or which other alarm is due, has nothing to do with it.
+TEST(Findings, one_class_of_alarm_that_is_not_due_is_one_finding) {
+  Findings findings;
+  const char* const alarm = R"({"k":"alarm","class":"missing-word","b":3})";
+  const char* const other = R"({"class":"value-sign","b":3})";
+  findings.add(departing("a", "NGC-CYC-12", 2, kRapid, alarm), VerdictKind::fail_alarm_spurious);
+  EXPECT_EQ(findings.list()[0]->text(),
+            "fail.alarm-spurious at NGC-CYC-12 (missing-word for rapid)");
+  findings.add(departing("b", "NGC-CYC-12", 3, kFeed, alarm), VerdictKind::fail_alarm_spurious);
+  findings.add(departing("c", "NGC-CYC-11", 4, kFeed, alarm), VerdictKind::fail_alarm_spurious);
+  findings.add(departing("d", "NGC-CYC-22", 5, other, alarm), VerdictKind::fail_alarm_class);
+  ASSERT_EQ(findings.list().size(), 1U);
+  EXPECT_EQ(findings.list()[0]->line(),
+            "4 x fail.alarm-spurious (not due: missing-word), smallest: a, 2 blocks");
+  findings.add(departing("e", "NGC-CYC-22", 5, alarm, other), VerdictKind::fail_alarm_class);
+  EXPECT_EQ(findings.list().size(), 2U);
+}
+
+TEST(Findings, motions_of_a_block_that_is_over_are_one_finding) {
+  Findings findings;
+  const auto kind = VerdictKind::fail_geometry;
+  const char* const next_rapid = R"({"k":"rapid","b":2,"to":{"z":"-7"}})";
+  const char* const next_feed = R"({"k":"feed","b":3,"to":{"z":"-7"},"f":"1"})";
+  findings.add(departing("a", "GSK-G94-02", 5, next_rapid, kOtherRapid), kind);
+  findings.add(departing("b", "GSK-G00-01", 5, next_feed, kOtherRapid), kind);
+  findings.add(departing("c", "GSK-G94-02", 5, kRapid, kOtherRapid), kind);
+  ASSERT_EQ(findings.list().size(), 2U);
+  EXPECT_EQ(findings.list()[0]->text(), "fail.geometry (of an earlier block: rapid)");
+}
+
 TEST(Findings, a_wrong_path_comes_before_a_wrong_alarm_and_the_smaller_before_the_larger) {
   Findings findings;
   findings.add(departing("alarm", "A", 1, "", ""), VerdictKind::fail_alarm_class);
