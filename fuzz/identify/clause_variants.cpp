@@ -32,17 +32,6 @@ std::vector<ClauseId> clauses_concerned(const Observation& departure) {
   return clauses;
 }
 
-using ModelEdit = std::function<bool(std::vector<Record>&)>;
-
-void add_edit_of_model(std::string name, ModelEdit edit, Variants& out) {
-  out.push_back({std::move(name),
-                 [edit = std::move(edit)](const Observation& seen) -> std::optional<ChangedRun> {
-                   auto model = run_reference(seen.profile, seen.program);
-                   if (!model || model->not_covered || !edit(model->records)) return std::nullopt;
-                   return ChangedRun{seen.program, seen.profile, seen.outcome, std::move(model)};
-                 }});
-}
-
 // The feed of a cut of its block, else the last one before it.
 void give_feed(std::vector<Record>& records, Record& record) {
   const Record* source = nullptr;
@@ -71,10 +60,13 @@ bool give_kind(std::vector<Record>& records, ClauseId clause, RecordKind from, R
 void add_kinds_of(ClauseId clause, Variants& out) {
   for (const auto& [from, to] : {std::pair(RecordKind::feed, RecordKind::rapid),
                                  std::pair(RecordKind::rapid, RecordKind::feed)}) {
-    add_edit_of_model(
+    add_model(
         fmt::format("the motion of {} is a {}, not a {}", clause_name(clause), name(to),
                     name(from)),
-        [=](std::vector<Record>& records) { return give_kind(records, clause, from, to); }, out);
+        [=](const Observation&, KeptOutcome& model) {
+          return give_kind(model.records, clause, from, to);
+        },
+        out);
   }
 }
 
@@ -83,10 +75,10 @@ void add_kinds_of(ClauseId clause, Variants& out) {
 void add_clause_variants(const Observation& departure, Variants& out) {
   for (const ClauseId clause : clauses_concerned(departure)) {
     add_kinds_of(clause, out);
-    add_edit_of_model(
+    add_model(
         fmt::format("the motion of {} is left out", clause_name(clause)),
-        [clause](std::vector<Record>& records) {
-          return std::erase_if(records, [&](const Record& record) {
+        [clause](const Observation&, KeptOutcome& model) {
+          return std::erase_if(model.records, [&](const Record& record) {
                    return record.clause == clause && is_motion(record.kind);
                  }) > 0;
         },

@@ -121,7 +121,8 @@ Fit Explainer::judge_trial(const ChangedRun& trial, const Observation& seen) {
   return is_cut_short ? Fit::cut_short : Fit::no;
 }
 
-Fit Explainer::fit(const Variant& variant, const Observation& seen) {
+// What an enclosure leaves open is not explained.
+Fit Explainer::fit(const Variant& variant, const Observation& seen) try {
   if (variant.holds) return variant.holds(seen) ? Fit::full : Fit::no;
   auto trial = variant.apply(seen);
   if (!trial) return seen.departs() ? Fit::no : Fit::full;
@@ -131,6 +132,8 @@ Fit Explainer::fit(const Variant& variant, const Observation& seen) {
   if (seen.alarm == 0 || trial->model || trial->program == seen.program) return Fit::no;
   trial->program = spliced(trial->program, seen.program, seen.alarm, seen.profile);
   return judge_trial(*trial, seen);
+} catch (const exact::Undecided&) {
+  return Fit::no;
 }
 
 namespace {
@@ -154,6 +157,7 @@ Variants variants_for(const Observation& departure) {
   add_misread(add_word_variants, departure, variants);
   add_modal_variants(departure, variants);
   add_misread(add_code_variants, departure, variants);
+  add_way_variants(departure, variants);
   add_model_variants(departure, variants);
   return variants;
 }

@@ -132,6 +132,68 @@ std::optional<std::string> retained_past(const ProgramText& program,
   });
 }
 
+// The place along an axis and the way to it are one word to a cycle.
+constexpr std::array<std::pair<const char*, const char*>, 3> kPlacesAndWays = {
+    {{"X", "U"}, {"Y", "V"}, {"Z", "W"}}};
+
+std::string counterpart_of(const std::string& name) {
+  for (const auto& [place, way] : kPlacesAndWays) {
+    if (name == place) return way;
+    if (name == way) return place;
+  }
+  return {};
+}
+
+// Whether the cycle has a taper across its depth: such ones turn, others drill and mill.
+bool has_taper(const reference::Code& code) {
+  return std::ranges::any_of(code.words, [](const auto& list) {
+    return std::ranges::any_of(list, [](const reference::CodeWord& word) {
+      return word.role == reference::Role::along_p || word.role == reference::Role::along_q;
+    });
+  });
+}
+
+// What the cycles of one sort have given since the last code that is none.
+struct Held {
+  const reference::Code* code = nullptr;  // the last
+  std::map<std::string, std::string> words;
+
+  // The words of the block that hold; what it lacks of those of another code goes to `more`.
+  void take(const TextBlock& block, std::string& more) {
+    std::map<std::string, std::string> own;
+    for (const TextWord& word : block.words) {
+      const reference::CodeWord* const meant = block.modes.code()->find(name_of(word));
+      const bool holds = meant != nullptr && meant->life == reference::Life::modal;
+      if (holds) own[name_of(word)] = word.text;
+    }
+    if (own.empty()) return;
+    for (const auto& [name, text] : words) {
+      const bool is_given = own.contains(name) || own.contains(counterpart_of(name));
+      const bool is_meant = block.modes.code()->find(name) != nullptr;
+      if (block.modes.code() != code && is_meant && !is_given) more += " " + text;
+    }
+    code = block.modes.code();
+    for (const auto& [name, text] : own) {
+      words.erase(counterpart_of(name));
+      words[name] = text;
+    }
+  }
+};
+
+// The first block of a cycle behind one of another code takes the words that it lacks from that.
+std::optional<std::string> carried_over(const ProgramText& program) {
+  std::map<bool, Held> held;
+  return edited_in_order(program, [&](const TextBlock& block) {
+    std::string more;
+    if (block.modes.is_of(Kind::cycle)) {
+      held[has_taper(*block.modes.code())].take(block, more);
+    } else if (block.modes.code() != nullptr && !block.modes.is_of(Kind::dwell)) {
+      held.clear();
+    }
+    return more;
+  });
+}
+
 // A block of the code that lacks the word gets it with the value 0.
 std::optional<std::string> zeroed(const ProgramText& program, const std::string& address) {
   std::set<std::string> seen;  // codes under which it was given
@@ -179,8 +241,6 @@ std::optional<std::string> stuck(const ProgramText& program, const std::string& 
 // A later block of a cycle names one axis: the others of the cycle do not move, where they have the
 // last end point. A way of nothing says so.
 std::optional<std::string> standing_still(const ProgramText& program, const Motions& motions) {
-  constexpr std::array<std::pair<const char*, const char*>, 3> kPlacesAndWays = {
-      {{"X", "U"}, {"Y", "V"}, {"Z", "W"}}};
   std::set<std::string> ways;  // along the axes that the cycle has named so far
   return edited_in_order(program, [&](const TextBlock& block) -> std::string {
     if (block.modes.is_of(Kind::dwell)) return "";
@@ -439,6 +499,7 @@ void add_modal_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
   const Named named = named_in(program);
   add_retained(*program.table, named.addresses, out);
+  add_text("what a cycle retains stays in force under another cycle", carried_over, out);
   add_leaks(*program.table, named.addresses, out);
   add_lost_words(named.addresses, out);
   for (const Motions& motions : motions_concerned(departure)) {

@@ -176,19 +176,6 @@ std::optional<ChangedRun> counted(const Observation& seen, const std::string& ad
   return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
 }
 
-using ModelChange = std::function<bool(const Observation&, KeptOutcome&)>;
-
-// The reference's own outcome, changed; nothing where it stays the same.
-void add_model(std::string name, ModelChange change, Variants& out) {
-  out.push_back(
-      {std::move(name),
-       [change = std::move(change)](const Observation& seen) -> std::optional<ChangedRun> {
-         auto model = run_reference(seen.profile, seen.program);
-         if (!model || model->not_covered || !change(seen, *model)) return std::nullopt;
-         return ChangedRun{seen.program, seen.profile, seen.outcome, std::move(model)};
-       }});
-}
-
 enum class Rounding {
   half_up,
   half_away_from_zero,

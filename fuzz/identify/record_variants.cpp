@@ -18,21 +18,6 @@ using reference::RecordKind;
 namespace {
 
 using RecordChange = std::function<void(Record&)>;
-using OutcomeChange = std::function<void(const Observation&, KeptOutcome&)>;
-
-void add_outcome(std::string name, OutcomeChange change, Variants& out) {
-  out.push_back(
-      {std::move(name),
-       [change = std::move(change)](const Observation& seen) -> std::optional<ChangedRun> {
-         ChangedRun trial{seen.program, seen.profile, seen.outcome, std::nullopt};
-         change(seen, trial.outcome);
-         if (trial.outcome.text() == seen.outcome.text() &&
-             trial.outcome.end.alarm.block == seen.outcome.end.alarm.block) {
-           return std::nullopt;
-         }
-         return trial;
-       }});
-}
 
 void add_records(std::string name, RecordChange change, Variants& out) {
   add_outcome(

@@ -5,8 +5,33 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace gonogo::identify {
+
+void add_model(std::string name, ModelChange change, Variants& out) {
+  out.push_back(
+      {std::move(name),
+       [change = std::move(change)](const Observation& seen) -> std::optional<ChangedRun> {
+         auto model = run_reference(seen.profile, seen.program);
+         if (!model || model->not_covered || !change(seen, *model)) return std::nullopt;
+         return ChangedRun{seen.program, seen.profile, seen.outcome, std::move(model)};
+       }});
+}
+
+void add_outcome(std::string name, OutcomeChange change, Variants& out) {
+  out.push_back(
+      {std::move(name),
+       [change = std::move(change)](const Observation& seen) -> std::optional<ChangedRun> {
+         ChangedRun trial{seen.program, seen.profile, seen.outcome, std::nullopt};
+         change(seen, trial.outcome);
+         if (trial.outcome.text() == seen.outcome.text() &&
+             trial.outcome.end.alarm.block == seen.outcome.end.alarm.block) {
+           return std::nullopt;
+         }
+         return trial;
+       }});
+}
 
 bool has_same_words(const reference::Code& a, const reference::Code& b) {
   return std::ranges::equal(a.words, b.words, [](const auto& one, const auto& other) {
@@ -51,11 +76,14 @@ std::vector<Motions> motions_concerned(const Observation& departure) {
   const ProgramText program(departure.profile, departure.program);
   const reference::Code* const code = program.table->find(program.code_at(departure.verdict.block));
   if (code == nullptr) return {};
-  // The same code turned the other way; codes with the same words; cycles of the same modal group.
-  std::array<Motions, 4> kin;
+  // The same code turned the other way; codes with the same words; cycles of the same modal group;
+  // all threads.
+  std::array<Motions, 5> kin;
   kin[0].emplace(code->name);
   for (const reference::Code& other : program.table->codes) {
-    if (other.kind != code->kind || other.sense == 0) continue;
+    if (other.kind != code->kind) continue;
+    if (code->kind == reference::Kind::thread) kin[4].emplace(other.name);
+    if (other.sense == 0) continue;
     if (other.feature == code->feature) kin[1].emplace(other.name);
     if (has_same_words(other, *code)) kin[2].emplace(other.name);
     if (other.group == code->group) kin[3].emplace(other.name);

@@ -67,6 +67,13 @@ struct Variant {
 
 using Variants = std::vector<Variant>;
 
+// The reference's own outcome, changed. False: it stays the same.
+using ModelChange = std::function<bool(const Observation&, KeptOutcome&)>;
+void add_model(std::string name, ModelChange change, Variants& out);
+// The subject's outcome, with what the mistake made of it undone.
+using OutcomeChange = std::function<void(const Observation&, KeptOutcome&)>;
+void add_outcome(std::string name, OutcomeChange change, Variants& out);
+
 // Codes that a mistake may be of: the one in force where the observation departs, alone and with
 // those that the same cycle is written for. Empty: it is not known.
 using Motions = std::set<std::string, std::less<>>;
@@ -105,6 +112,8 @@ void add_alarm_variants(const Observation& departure, Variants& out);
 void add_limit_variants(const Observation& departure, Variants& out);
 // A motion that a clause asks for of another kind, or left out.
 void add_clause_variants(const Observation& departure, Variants& out);
+// Where a motion ends, and along which way a lead counts.
+void add_way_variants(const Observation& departure, Variants& out);
 // Coordinates rounded; motions left out; sums in binary floating point.
 void add_model_variants(const Observation& departure, Variants& out);
 

@@ -21,11 +21,16 @@ struct Scope {
   std::set<std::string> addresses;
   Motions motions = {};             // empty: under every code
   std::optional<Plane> plane = {};  // nothing: in every plane
+  bool is_outside = false;          // in every plane but that
 
   bool has(const TextBlock& block, const TextWord& word) const {
     return addresses.contains(name_of(word)) &&
            (motions.empty() || motions.contains(block.modes.code_name())) &&
-           (!plane || block.modes.plane == *plane);
+           (!plane || (block.modes.plane == *plane) != is_outside);
+  }
+  std::string where() const {
+    if (!plane) return {};
+    return fmt::format(" {} G{}", is_outside ? "outside" : "in", plane_code(*plane));
   }
   std::string name() const {
     std::string text;
@@ -33,8 +38,7 @@ struct Scope {
       text += fmt::format("{}{}", text.empty() ? "" : " ", address);
     }
     if (!motions.empty()) text += " of " + names_of(motions);
-    if (plane) text += fmt::format(" in G{}", plane_code(*plane));
-    return text;
+    return text + where();
   }
 };
 
@@ -194,12 +198,10 @@ std::string renamed(const TextWord& word, const std::string& address) {
 
 // Where they are what they are said to be: K is a centre beside an arc, and a lead beside a thread.
 // No role: anywhere.
-void add_exchange(const std::string& a, const std::string& b, std::optional<Plane> plane,
+void add_exchange(const std::string& a, const std::string& b, const Scope& scope,
                   std::optional<Role> role, const reference::Descriptor& table, Variants& out) {
-  const Scope scope{{a, b}, {}, plane};
   add_edit(
-      fmt::format("{} and {} change places{}", a, b,
-                  plane ? fmt::format(" in G{}", plane_code(*plane)) : ""),
+      fmt::format("{} and {} change places{}", a, b, scope.where()),
       [=, &table](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
         if (!scope.has(block, word)) return std::nullopt;
         const reference::CodeWord* const known = block.role_of(word, table);
@@ -218,8 +220,9 @@ Addresses addresses_of(const ProgramText& program) {
     for (const TextWord& word : block.words) {
       if (!is_word(word) || !block.code_of(word).empty()) continue;
       const reference::CodeWord* const role = block.role_of(word, *program.table);
-      const bool moves_nothing =
-          role != nullptr && (role->role == Role::speed || role->role == Role::number);
+      const bool is_choice = block.modes.in_cycle() && block.modes.code()->find(name_of(word));
+      const bool moves_nothing = role != nullptr && (role->role == Role::speed ||
+                                                     (role->role == Role::number && !is_choice));
       if (!moves_nothing) addresses.insert(name_of(word));
     }
   }
@@ -236,8 +239,9 @@ bool is_parameter_of_cycle(const reference::Descriptor& table, const std::string
 void add_exchanges(const reference::Descriptor& table, const Addresses& addresses, Plane plane,
                    Variants& out) {
   const auto add_pair = [&](const std::string& a, const std::string& b, std::optional<Role> role) {
-    add_exchange(a, b, std::nullopt, role, table, out);
-    add_exchange(a, b, plane, role, table, out);
+    add_exchange(a, b, {{a, b}}, role, table, out);
+    add_exchange(a, b, {{a, b}, {}, plane}, role, table, out);
+    if (plane != Plane::g17) add_exchange(a, b, {{a, b}, {}, Plane::g17, true}, role, table, out);
   };
   for (const Role role : {Role::place, Role::centre}) {
     const Addresses kin = addresses_with(table, {role});

@@ -75,6 +75,10 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"ngc", "end-point-unchecked", "ngc.arc-distance.000011",
                 "arc-end-point of NGC-ARC-03 is not checked"},
         Planted{"ngc", "g76-h-total", "ngc.threading.v1-t2f2-s1.000002", "H counts one too few"},
+        Planted{"ngc", "g76-equal-infeed", "ngc.threading.v1-t2f2-s1.000002",
+                "R of G76 is ignored"},
+        Planted{"ngc", "g33-lead-along-z", "ngc.threads.000060",
+                "the lead of G33 comes out along Z, not along the longest axis"},
         Planted{"ngc", "cr-lf-counted-twice", "ngc.amendments.000144", "CR LF counts as two lines"},
         Planted{"ngc", "g86-without-dwell", "ngc.dwelling.v1-t2f2-s1.000004",
                 "the dwells of G86 are left out"},
@@ -85,6 +89,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "small letters are refused"},
         Planted{"sinumerik", "pocket-sense-flipped", "s802.lcyc75.000037",
                 "R126 takes 2 for 3, and 3 for 2"},
+        Planted{"sinumerik", "pocket-sides-swapped", "s802.lcyc75.000025",
+                "R118 and R119 change places outside G17"},
+        Planted{"sinumerik", "g158-keeps-rotation", "s802.frames.000006",
+                "a translation leaves the rotation in force"},
+        Planted{"gsk", "turning-words-leak", "gsk.g90.000089",
+                "what a cycle retains stays in force under another cycle"},
         Planted{"gsk", "step-equality-accepted", "gsk.g110.alarm.000005",
                 "L of G110 on a limit counts as a trifle smaller, < for <= or the other way "
                 "round"},
@@ -187,6 +197,18 @@ TEST(LikelyCause, OfAnEndPointThatACycleDoesNotRetain) {
 TEST(LikelyCause, OfADwellWhoseWordBecomesTheFeed) {
   const Attribution found = attribute_fault("sinumerik", "dwell-feed-kept", "s840.modes.000055");
   EXPECT_EQ(likely_cause(found).name, "F of a dwell becomes the feed") << attribution_text(found);
+}
+
+// A way of no length is no motion, so that the path shows nothing of the end of some.
+TEST(LikelyCause, OfACycleThatEndsWhereItsCutBegan) {
+  const Attribution drilled =
+      attribute_fault("sinumerik", "drill-retract-to-clearance", "s802.lcyc82.000003");
+  EXPECT_EQ(likely_cause(drilled).name, "LCYC82 ends where its cut began")
+      << attribution_text(drilled);
+  const Attribution milled =
+      attribute_fault("sinumerik", "pocket-retract-to-clearance", "s802.lcyc75.000037");
+  EXPECT_EQ(likely_cause(milled).name, "LCYC75 ends where its cut began")
+      << attribution_text(milled);
 }
 
 // Among the hundreds of ways to misread a word there is one for nearly every single departure.
