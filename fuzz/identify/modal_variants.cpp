@@ -153,20 +153,21 @@ bool has_taper(const reference::Code& code) {
   });
 }
 
-// What the cycles of one sort have given since the last code that is none.
+// What cycles have given since the last code that is none.
 struct Held {
   const reference::Code* code = nullptr;  // the last
   std::map<std::string, std::string> words;
 
-  // The words of the block that hold; what it lacks of those of another code goes to `more`.
-  void take(const TextBlock& block, std::string& more) {
+  // Takes the words of the block that hold; returns what it lacks of those of another code.
+  std::string take(const TextBlock& block) {
     std::map<std::string, std::string> own;
     for (const TextWord& word : block.words) {
       const reference::CodeWord* const meant = block.modes.code()->find(name_of(word));
       const bool holds = meant != nullptr && meant->life == reference::Life::modal;
       if (holds) own[name_of(word)] = word.text;
     }
-    if (own.empty()) return;
+    if (own.empty()) return {};
+    std::string more;
     for (const auto& [name, text] : words) {
       const bool is_given = own.contains(name) || own.contains(counterpart_of(name));
       const bool is_meant = block.modes.code()->find(name) != nullptr;
@@ -177,21 +178,39 @@ struct Held {
       words.erase(counterpart_of(name));
       words[name] = text;
     }
+    return more;
   }
 };
 
-// The first block of a cycle behind one of another code takes the words that it lacks from that.
-std::optional<std::string> carried_over(const ProgramText& program) {
-  std::map<bool, Held> held;
-  return edited_in_order(program, [&](const TextBlock& block) {
-    std::string more;
-    if (block.modes.is_of(Kind::cycle)) {
-      held[has_taper(*block.modes.code())].take(block, more);
-    } else if (block.modes.code() != nullptr && !block.modes.is_of(Kind::dwell)) {
-      held.clear();
-    }
-    return more;
+// The first block of one of these cycles behind one of another takes the words that it lacks.
+std::optional<std::string> carried_over(const ProgramText& program, const Motions& cycles) {
+  Held held;
+  return edited_in_order(program, [&](const TextBlock& block) -> std::string {
+    if (cycles.contains(block.modes.code_name())) return held.take(block);
+    const bool clears = block.modes.code() != nullptr && !block.modes.is_of(Kind::cycle);
+    if (clears && !block.modes.is_of(Kind::dwell)) held = {};
+    return "";
   });
+}
+
+// Those that turn, or those that do not, as the code that departs.
+Motions cycles_like(const reference::Descriptor& table, const reference::Code& code) {
+  Motions cycles;
+  for (const reference::Code& other : table.codes) {
+    const bool is_alike = other.kind == Kind::cycle && has_taper(other) == has_taper(code);
+    if (is_alike) cycles.emplace(other.name);
+  }
+  return cycles;
+}
+
+void add_carried_over(const Observation& departure, const ProgramText& program, Variants& out) {
+  const reference::Code* const code = program.table->find(program.code_at(departure.verdict.block));
+  if (code == nullptr || code->kind != Kind::cycle) return;
+  const Motions cycles = cycles_like(*program.table, *code);
+  if (cycles.size() < 2) return;
+  add_text(
+      fmt::format("what one of {} retains stays in force under another", names_of(cycles)),
+      [cycles](const ProgramText& text) { return carried_over(text, cycles); }, out);
 }
 
 // A block of the code that lacks the word gets it with the value 0.
@@ -499,7 +518,7 @@ void add_modal_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
   const Named named = named_in(program);
   add_retained(*program.table, named.addresses, out);
-  add_text("what a cycle retains stays in force under another cycle", carried_over, out);
+  add_carried_over(departure, program, out);
   add_leaks(*program.table, named.addresses, out);
   add_lost_words(named.addresses, out);
   for (const Motions& motions : motions_concerned(departure)) {

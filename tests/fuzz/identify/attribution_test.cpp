@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"sinumerik", "g158-keeps-rotation", "s802.frames.000006",
                 "a translation leaves the rotation in force"},
         Planted{"gsk", "turning-words-leak", "gsk.g90.000089",
-                "what a cycle retains stays in force under another cycle"},
+                "what one of G90 G92 G94 retains stays in force under another"},
         Planted{"gsk", "step-equality-accepted", "gsk.g110.alarm.000005",
                 "L of G110 on a limit counts as a trifle smaller, < for <= or the other way "
                 "round"},
