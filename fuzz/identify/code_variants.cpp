@@ -35,16 +35,12 @@ bool is_confusable(const Code& code) {
 using CodeMap = std::function<std::optional<std::string>(const TextBlock&, const std::string&)>;
 
 void add_codes(std::string name, const CodeMap& map, Variants& out) {
-  out.push_back({std::move(name), [map](const Observation& seen) -> std::optional<ChangedRun> {
-                   auto text = edited(ProgramText(seen.profile, seen.program),
-                                      [&](const TextBlock& block,
-                                          const TextWord& word) -> std::optional<std::string> {
-                                        const std::string& code = block.code_of(word);
-                                        return code.empty() ? std::nullopt : map(block, code);
-                                      });
-                   if (!text) return std::nullopt;
-                   return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
-                 }});
+  const auto edit = [map](const TextBlock& block, const TextWord& word) {
+    const std::string& code = block.code_of(word);
+    return code.empty() ? std::nullopt : map(block, code);
+  };
+  add_text(
+      std::move(name), [edit](const ProgramText& program) { return edited(program, edit); }, out);
 }
 
 void add_taken_for(const std::string& code, const std::string& other, Variants& out) {
@@ -207,13 +203,14 @@ void add_code_variants(const Observation& departure, Variants& out) {
           return word == code ? std::optional<std::string>("") : std::nullopt;
         },
         out);
-    const std::size_t point = code.find('.');
-    if (point != std::string::npos) add_taken_for(code, code.substr(0, point), out);
+    const std::string whole = code.substr(0, code.find('.'));
+    if (whole != code) add_taken_for(code, whole, out);
     // A code that ends or sets something is not taken for a motion.
     const Code* const own = table.find(code);
     const bool moves = own != nullptr && is_confusable(*own);
     for (const Code& other : table.codes) {
-      const bool can_be = moves && is_confusable(other) && code != other.name;
+      const bool is_tried = other.name == code || other.name == whole;
+      const bool can_be = moves && is_confusable(other) && !is_tried;
       if (can_be) add_taken_for(code, std::string(other.name), out);
     }
     if (own == nullptr || !own->is_m()) continue;

@@ -82,14 +82,8 @@ void add_limit_variants(const Observation& departure, Variants& out) {
   using oracle::VerdictKind;
   const VerdictKind kind = departure.verdict.kind;
   if (kind != VerdictKind::fail_alarm_missing && kind != VerdictKind::fail_alarm_spurious) return;
-  std::set<std::string> addresses;
   const ProgramText program(departure.profile, departure.program);
-  for (const TextBlock& block : program.blocks) {
-    for (const TextWord& word : block.words) {
-      if (is_word(word) && block.code_of(word).empty()) addresses.insert(name_of(word));
-    }
-  }
-  for (const std::string& address : addresses) {
+  for (const std::string& address : addresses_in(program)) {
     add_limits(departure, address, {}, out);
     for (const Motions& motions : motions_concerned(departure)) {
       add_limits(departure, address, motions, out);

@@ -19,6 +19,16 @@ void add_model(std::string name, ModelChange change, Variants& out) {
        }});
 }
 
+void add_text(std::string name, TextChange change, Variants& out) {
+  out.push_back(
+      {std::move(name),
+       [change = std::move(change)](const Observation& seen) -> std::optional<ChangedRun> {
+         auto text = change(ProgramText(seen.profile, seen.program));
+         if (!text) return std::nullopt;
+         return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
+       }});
+}
+
 void add_outcome(std::string name, OutcomeChange change, Variants& out) {
   out.push_back(
       {std::move(name),
@@ -38,6 +48,16 @@ bool has_same_words(const reference::Code& a, const reference::Code& b) {
     return std::ranges::equal(one, other, {}, &reference::CodeWord::address,
                               &reference::CodeWord::address);
   });
+}
+
+std::set<std::string> addresses_in(const ProgramText& program) {
+  std::set<std::string> addresses;
+  for (const TextBlock& block : program.blocks) {
+    for (const TextWord& word : block.words) {
+      if (is_word(word) && block.code_of(word).empty()) addresses.insert(name_of(word));
+    }
+  }
+  return addresses;
 }
 
 bool is_parameter(const std::string& name) {

@@ -70,6 +70,9 @@ using Variants = std::vector<Variant>;
 // The reference's own outcome, changed. False: it stays the same.
 using ModelChange = std::function<bool(const Observation&, KeptOutcome&)>;
 void add_model(std::string name, ModelChange change, Variants& out);
+// The program, changed. Nothing: it stays the same.
+using TextChange = std::function<std::optional<std::string>(const ProgramText&)>;
+void add_text(std::string name, TextChange change, Variants& out);
 // The subject's outcome, with what the mistake made of it undone.
 using OutcomeChange = std::function<void(const Observation&, KeptOutcome&)>;
 void add_outcome(std::string name, OutcomeChange change, Variants& out);
@@ -88,6 +91,8 @@ std::set<std::string> addresses_with(const reference::Descriptor& table,
 std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& table);
 // The word of a cycle's taper, where it has but one length with a sign. Null: it has none or more.
 const reference::CodeWord* taper_of(const reference::Code& code);
+// Addresses that stand in the program, but codes.
+std::set<std::string> addresses_in(const ProgramText& program);
 // R105 and similar ones.
 bool is_parameter(const std::string& name);
 // "G110 G111"
@@ -103,6 +108,7 @@ void add_word_variants(const Observation& departure, Variants& out);
 // A code taken for another one, ignored; words that stay in force too long or not long enough.
 void add_code_variants(const Observation& departure, Variants& out);
 void add_modal_variants(const Observation& departure, Variants& out);
+void add_retained_variants(const Observation& departure, Variants& out);
 // What came out turned round, mirrored, in other units, under other block numbers, at another
 // speed.
 void add_record_variants(const Observation& departure, Variants& out);

@@ -143,9 +143,23 @@ void add_leads(const Motions& motions, Variants& out) {
   }
 }
 
-// What adds to the rotation in force. Null: the dialect has none.
+const reference::CodeWord* word_of_angle(const reference::Code& code) {
+  for (const auto& list : code.words) {
+    for (const reference::CodeWord& word : list) {
+      if (word.role == reference::Role::angle) return &word;
+    }
+  }
+  return nullptr;
+}
+
+// What adds to the rotation in force: the table has it behind the one that replaces it. Null: the
+// dialect has none.
 const reference::Code* adding_turn(const reference::Descriptor& table) {
-  return table.find("G259");
+  const reference::Code* last = nullptr;
+  for (const reference::Code& code : table.codes) {
+    if (code.kind == reference::Kind::frame && word_of_angle(code) != nullptr) last = &code;
+  }
+  return last;
 }
 
 // Whether the block has a word of its code.
@@ -168,12 +182,13 @@ std::optional<ChangedRun> with_turns_kept(const Observation& seen) {
     trial.program += line_text(block);
     const reference::Code* const own = block.modes.own;
     if (own == nullptr || own->kind != reference::Kind::frame) continue;
-    if (has_same_words(*own, *adds)) {
-      const TextWord* const word = block.find("RPL");
+    if (const reference::CodeWord* const angle_word = word_of_angle(*own)) {
+      const TextWord* const word = block.find(angle_word->address);
       const auto turned = word == nullptr ? std::nullopt : exact_value_of(*word);
       angle = (own == adds ? angle : Number(0)) + turned.value_or(0);
     } else if (angle.sign() != 0 && !block.end.empty() && !(keeps && has_words(block, *own))) {
-      trial.program += fmt::format("{} RPL={}{}", adds->name, angle.text(), block.end);
+      trial.program += fmt::format("{} {}={}{}", adds->name, word_of_angle(*adds)->address,
+                                   angle.text(), block.end);
       ++line;
       const auto count = [line](std::uint64_t& number) { number += number >= line ? 1 : 0; };
       for (Record& record : trial.outcome.records) count(record.block);

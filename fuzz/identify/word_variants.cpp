@@ -148,12 +148,9 @@ const std::vector<Operation>& operations() {
 }
 
 void add_edit(std::string name, program::WordEdit edit, Variants& out) {
-  out.push_back({std::move(name),
-                 [edit = std::move(edit)](const Observation& seen) -> std::optional<ChangedRun> {
-                   auto text = edited(ProgramText(seen.profile, seen.program), edit);
-                   if (!text) return std::nullopt;
-                   return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
-                 }});
+  add_text(
+      std::move(name),
+      [edit = std::move(edit)](const ProgramText& program) { return edited(program, edit); }, out);
 }
 
 void add_operations(const Scope& scope, const reference::Descriptor& table, Variants& out) {
