@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <iterator>
 #include <vector>
 
 namespace gonogo::hunt {
@@ -92,11 +92,30 @@ bool reset_part(Profile& profile, std::size_t part) {
   return !(profile == before);
 }
 
-bool reset_start(Profile& profile, reference::Axis axis) {
-  const Profile fallback = std::get<Profile>(reference::default_profile(profile.dialect));
-  reference::Number& at = profile.initial.at[axis];
-  const reference::Number before = std::exchange(at, fallback.initial.at[axis]);
-  return at != before;
+std::vector<reference::Number*> numbers_of(Profile& profile) {
+  std::vector<reference::Number*> numbers = {&profile.initial.feed};
+  const auto add = [&](reference::Position& place) {
+    for (reference::Number& number : place.at) numbers.push_back(&number);
+  };
+  add(profile.initial.at);
+  add(profile.reference_point);
+  for (auto& [code, offset] : profile.offsets) add(offset);
+  for (auto& [number, tool] : profile.tools) {
+    numbers.insert(numbers.end(), {&tool.radius, &tool.length});
+  }
+  return numbers;
+}
+
+bool drop_entry(Profile& profile, std::size_t i) {
+  const auto drop = [&](auto& entries) {
+    if (i >= entries.size()) {
+      i -= entries.size();
+      return false;
+    }
+    entries.erase(std::next(entries.begin(), static_cast<std::ptrdiff_t>(i)));
+    return true;
+  };
+  return drop(profile.offsets) || drop(profile.tools) || drop(profile.parameters);
 }
 
 void mutate_profile(program::Dice& dice, Profile& profile, const Profile& other) {

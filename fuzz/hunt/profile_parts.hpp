@@ -31,8 +31,12 @@ std::size_t profile_parts();
 std::vector<std::size_t> parts_set(const reference::Profile& profile);
 // Sets part i of the profile to its default; false where it is there already.
 bool reset_part(reference::Profile& profile, std::size_t part);
-// The same of the place along one axis where the machine starts.
-bool reset_start(reference::Profile& profile, reference::Axis axis);
+// Lengths and feed that may become simpler: of the start, the offsets, the tools, the reference
+// point.
+std::vector<reference::Number*> numbers_of(reference::Profile& profile);
+// Takes entry i of the offsets, the tools and the parameters away; false where there are not so
+// many.
+bool drop_entry(reference::Profile& profile, std::size_t i);
 // Changes one thing: a setting becomes that of `other`, which is of the same dialect, or a reading
 // another of its alternatives.
 void mutate_profile(program::Dice& dice, reference::Profile& profile,

@@ -102,7 +102,7 @@ class Reducer {
     plain_layout(i);
     plain_spelling(i);
     reset_settings(i);
-    shorten_start(i);
+    simplify_machine(i);
   }
 
   void drop_lines(std::size_t i) {
@@ -135,7 +135,7 @@ class Reducer {
       }
       fewer.text = text_of(lines);
       for (const reference::Axis axis : reference::kAllAxes) {
-        if (name == std::string(1, "XYZAC"[index(axis)])) reset_start(fewer.profile, axis);
+        if (name == std::string(1, "XYZAC"[index(axis)])) fewer.profile.initial.at[axis] = 0;
       }
       accepts(std::move(candidate));
     }
@@ -236,14 +236,21 @@ class Reducer {
     }
   }
 
-  void shorten_start(std::size_t i) {
-    for (const reference::Axis axis : reference::kAllAxes) {
-      const std::string at = program(best_, i).profile.initial.at[axis].text();
-      const auto number = program::value_of({"", "X" + at});
-      if (!number || number->text() != at || number->value == 0) continue;
+  // Entries of its tables go, and its numbers become simple.
+  void simplify_machine(std::size_t i) {
+    for (std::size_t entry = 0;;) {
+      Reproducer candidate = best_;
+      if (!drop_entry(program(candidate, i).profile, entry)) break;
+      if (!accepts(std::move(candidate))) ++entry;
+    }
+    const std::size_t count = numbers_of(program(best_, i).profile).size();
+    for (std::size_t place = 0; place < count; ++place) {
+      const std::string text = numbers_of(program(best_, i).profile)[place]->text();
+      const auto number = program::value_of({"", "X" + text});
+      if (!number || number->text() != text || number->value == 0) continue;
       for (const SmallDecimal& value : simpler_values(*number)) {
         Reproducer candidate = best_;
-        program(candidate, i).profile.initial.at[axis] =
+        *numbers_of(program(candidate, i).profile)[place] =
             reference::Number::parse(value.text()).value();
         if (accepts(std::move(candidate))) break;
       }
@@ -254,10 +261,6 @@ class Reducer {
     for (std::size_t part = 0; part < profile_parts(); ++part) {
       Reproducer candidate = best_;
       if (reset_part(program(candidate, i).profile, part)) accepts(std::move(candidate));
-    }
-    for (const reference::Axis axis : reference::kAllAxes) {
-      Reproducer candidate = best_;
-      if (reset_start(program(candidate, i).profile, axis)) accepts(std::move(candidate));
     }
   }
 

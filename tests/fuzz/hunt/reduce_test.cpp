@@ -100,10 +100,26 @@ TEST(Reduce, ANumberOfSeveralWordsBecomesShortInAll) {
 TEST(Reduce, WordsAreSpelledPlainly) {
   const Reduced result = reduced({{}, gsk("g0  1 x 2\n")}, [](const Reproducer& reproducer) {
     const std::vector<program::TextLine> lines = program::lines_of(reproducer.program.text);
-    return lines.size() == 1 && lines[0].words.size() == 2 &&
-           code_of(lines[0].words[0]) == "G1" && value_of(lines[0].words[1])->text() == "2";
+    return lines.size() == 1 && lines[0].words.size() == 2 && code_of(lines[0].words[0]) == "G1" &&
+           value_of(lines[0].words[1])->text() == "2";
   });
   EXPECT_EQ(result.reproducer.program.text, "G1 X2\n");
+}
+
+TEST(Reduce, TablesKeepTheEntriesAndAxesThatAreNeeded) {
+  generate::GeneratedProgram program = gsk("G00\n");
+  program.profile.offsets["G54"][reference::Axis::x] = reference::Number::parse("-10.66").value();
+  program.profile.offsets["G54"][reference::Axis::z] = 7;
+  program.profile.offsets["G55"][reference::Axis::x] = 3;
+  program.profile.parameters["5920"] = 45;
+  const Reduced result = reduced({{}, program}, [](const Reproducer& reproducer) {
+    const auto& offsets = reproducer.program.profile.offsets;
+    return offsets.contains("G54") && offsets.at("G54").at[0] < 0;
+  });
+  reference::Profile wanted = gsk("").profile;
+  wanted.offsets["G54"][reference::Axis::x] = -1;
+  EXPECT_EQ(reference::profile_json(result.reproducer.program.profile),
+            reference::profile_json(wanted));
 }
 
 TEST(Reduce, TheStartBecomesAShortNumber) {
@@ -112,8 +128,7 @@ TEST(Reduce, TheStartBecomesAShortNumber) {
   const Reduced result = reduced({{}, program}, [](const Reproducer& reproducer) {
     return reproducer.program.profile.initial.at[reference::Axis::z] > 3;
   });
-  EXPECT_EQ(reference::profile_json(result.reproducer.program.profile),
-            R"({"initial":{"z":"5"}})");
+  EXPECT_EQ(reference::profile_json(result.reproducer.program.profile), R"({"initial":{"z":"5"}})");
 }
 
 TEST(Reduce, ProgramsBeforeItGo) {
