@@ -63,6 +63,8 @@ Token Tokenizer::next(Word& word) {
     word.address = c;
   } else if (c >= 'a' && c <= 'z') {
     word.address = static_cast<char>(c - 'a' + 'A');
+  } else if (further_.find(c) != std::string_view::npos) {
+    word.address = c;
   } else {
     return Token::kSyntax;
   }

@@ -33,7 +33,7 @@ class LineReader {
 };
 
 struct Word {
-  char address = 0;  ///< 'A' to 'Z'
+  char address = 0;  ///< 'A' to 'Z', or one of the further addresses of the dialect
   Decimal number;
 };
 
@@ -43,8 +43,8 @@ enum class Token { kWord, kSkip, kTapeMark, kEnd, kSyntax };
 /// value may occur; outside of comments those that start no token are kSyntax.
 class Tokenizer {
  public:
-  explicit Tokenizer(std::string_view line)
-      : cursor_(line.data()), token_(cursor_), end_(line.data() + line.size()) {}
+  explicit Tokenizer(std::string_view line, std::string_view further = {})
+      : cursor_(line.data()), token_(cursor_), end_(line.data() + line.size()), further_(further) {}
 
   Token next(Word& word);
   /// The line from the first byte of the token that was read last.
@@ -64,6 +64,7 @@ class Tokenizer {
   const char* cursor_;
   const char* token_;
   const char* end_;
+  std::string_view further_;  // addresses that are no letters
 };
 
 }  // namespace gonogo::expanders

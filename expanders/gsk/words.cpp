@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <bit>
-
 #include "expanders/gsk/machine.hpp"
 
 namespace gonogo::expanders::gsk {
@@ -35,16 +33,9 @@ Wide to_millimetres(const Machine& machine, const Decimal& number, Fixed share) 
   return share == 1 ? value : (value + value % 2) / share;
 }
 
-template <typename Visit>
-void for_each(AddressSet addresses, Visit visit) {
-  for (std::uint32_t bits = addresses.bits(); bits != 0; bits &= bits - 1) {
-    visit(static_cast<char>('A' + std::countr_zero(bits)));
-  }
-}
-
 void check_decimals(Machine& machine, const Block& block) {
   const Fixed unit = increment(machine);
-  for_each(block.words(), [&](char address) {
+  block.words().each([&](char address) {
     const Decimal& number = block.number(address);
     const bool too_fine = number.finer || number.value % unit != 0;
     if (!kLengths.has(address) || !too_fine) return;
@@ -108,7 +99,7 @@ Point commanded_point(Machine& machine, const Block& block, Axes& axes) {
 }
 
 void check_words(Machine& machine, const Block& block) {
-  for_each(block.words(), [&](char address) {
+  block.words().each([&](char address) {
     if (!kMeasured.has(address)) return;
     const Decimal& number = block.number(address);
     if (!number.overflow && fits(to_millimetres(machine, number, 1))) return;
@@ -130,7 +121,7 @@ void check_ranges(Machine& machine, const Block& block) {
   // ISB 999999.999 mm or 99999.9999 in; ISC has one whole digit less and one decimal more.
   const Fixed coarse = inch ? 99'999'999'900'000 : 999'999'999'000'000;
   const Fixed highest = machine.profile.fine ? coarse / 10 : coarse;
-  for_each(block.words(), [&](char address) {
+  block.words().each([&](char address) {
     if (!kSigned.has(address) && !kUnsigned.has(address)) return;
     if (address == 'L' && mode == Mode::kHelix) return check_turns(machine, block);
     const Decimal& number = block.number(address);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <bit>
-
 #include "expanders/hnc/machine.hpp"
 
 namespace gonogo::expanders::hnc {
@@ -70,16 +68,14 @@ void take_number(const Block& block, char address, Retained& store) {
 }
 
 void check_words(Machine& machine, const Block& block) {
-  for (std::uint32_t bits = block.words().bits(); bits != 0; bits &= bits - 1) {
-    const char address = static_cast<char>('A' + std::countr_zero(bits));
-    if (!kMeasured.has(address)) continue;
+  (block.words() & kMeasured).each([&](char address) {
     const Decimal& number = block.number(address);
     // P is an angle. J is always in inches: no length grows by more than that.
     const Wide most = address == 'P' ? Wide{number.value} : scaled(number.value, 254, 10);
     if (number.overflow || !fits(most)) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
-  }
+  });
   for (const auto& [absolute, increment] : {std::pair{'X', 'U'}, std::pair{'Z', 'W'}}) {
     if (block.has(absolute) && block.has(increment)) {
       machine.complain(AlarmKind::kConflictingWords, increment, block);
