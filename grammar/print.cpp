@@ -17,9 +17,8 @@ struct StandIn {
 // The text of an outside construct is not in the tree; any text of the same name stands for it.
 constexpr StandIn kStandIns[] = {
     {"variable", "X#1"},    {"expression", "X[1]"}, {"control-statement", "GOTO 1"},
-    {"file-name", "P[T1]"}, {"o-word", "O1 X1"},   {"comma-word", ",C1"},
-    {"RL=", "RL=1"},        {"RC=", "RC=1"},        {"polar-word", "@1"},
-    {"spindle-word", "$1"}};
+    {"file-name", "P[T1]"}, {"o-word", "O1 X1"},    {"comma-word", ",C1"},
+    {"RL=", "RL=1"},        {"RC=", "RC=1"},        {"spindle-word", "$1"}};
 constexpr StandIn kSinumerikStandIns[] = {{"variable", "X=$A"},
                                           {"expression", "X=POT(1)"},
                                           {"control-statement", "GOTOF A"},

@@ -148,10 +148,10 @@ struct IgnoredWords {
   std::string_view why;  // a sentence
 };
 
-// Addresses of one letter, a bit each.
+// Addresses of one letter, @ or ^, a bit each.
 using Letters = std::uint32_t;
 constexpr Letters letter_bit(char address) {
-  return address >= 'A' && address <= 'Z' ? Letters{1} << static_cast<unsigned>(address - 'A') : 0;
+  return address >= '@' && address <= '^' ? Letters{1} << static_cast<unsigned>(address - '@') : 0;
 }
 // Those of words between blanks.
 constexpr Letters letters_of(std::string_view words) {

@@ -81,9 +81,8 @@ std::span<const Dialect> dialects() {
       {"rs274", grammar::Dialect::rs274, clauses_of("NGC-"), "NGC-COM-01"_clause,
        "NGC-COM-01"_clause, false, rs274::make_interpreter, &rs274::kDescriptor, kNgcOffsets,
        kNgcParameters, mills_finely,
-       "M98, M99, M100 to M199 (subprograms and programs of the user), the axes B U V W, polar "
-       "words (@ ^), other spindles ($), other O words and calls of files, most parameters of the "
-       "machine"},
+       "M100 to M199 (programs of the user), the axes B U V W, other spindles ($), other O words, "
+       "most parameters of the machine"},
       {"sinumerik840d",
        grammar::Dialect::sinumerik,
        kClauses840d,

@@ -13,7 +13,7 @@ namespace gonogo::reference {
 namespace {
 
 constexpr std::uint32_t bit_of(const grammar::Word& word) {
-  return std::uint32_t{1} << static_cast<unsigned>(word.address - 'A');
+  return std::uint32_t{1} << static_cast<unsigned>(word.address - '@');
 }
 
 }  // namespace

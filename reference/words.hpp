@@ -62,16 +62,14 @@ class WordTable : public WordPlaces {
   explicit WordTable(const grammar::Block& block, const WordValues* values = nullptr)
       : block_(block), values_(values) {
     for (const grammar::Word& word : block.words) {
-      by_address_[static_cast<std::size_t>(word.address - 'A')] = &word;
+      by_address_[index_of(word.address)] = &word;
     }
   }
 
   bool any() const { return !block_.words.empty(); }
   bool has(char address) const { return word(address) != nullptr; }
   bool has(const AxisAddresses& axis) const { return has(axis.absolute) || has(axis.increment); }
-  const grammar::Word* word(char address) const {
-    return by_address_[static_cast<std::size_t>(address - 'A')];
-  }
+  const grammar::Word* word(char address) const { return by_address_[index_of(address)]; }
   // The number as written. REQUIRES: has(address).
   Number written(char address) const {
     const grammar::Word* const found = word(address);
@@ -89,9 +87,14 @@ class WordTable : public WordPlaces {
   ~WordTable() = default;
 
  private:
+  // An address is a letter, or @ or ^ of rs274.
+  static constexpr std::size_t index_of(char address) {
+    return static_cast<std::size_t>(address - '@');
+  }
+
   const grammar::Block& block_;
   const WordValues* values_;
-  std::array<const grammar::Word*, 26> by_address_{};
+  std::array<const grammar::Word*, '^' - '@' + 1> by_address_{};
 };
 
 // Whether an address other than G stands twice.

@@ -188,7 +188,8 @@ std::set<std::string> features_needed(const ProgramText& program) {
 
 std::vector<std::string> features_of_case(const ProgramText& program,
                                           const std::vector<std::string>& stated) {
-  constexpr std::array<std::string_view, 3> kBesideAll = {"arc-distance", "rotary", "linuxcnc"};
+  constexpr std::array<std::string_view, 4> kBesideAll = {"arc-distance", "rotary", "linuxcnc",
+                                                          "polar-words"};
   const std::set<std::string> needed = features_of_part(program);
   // The machine alone may need others, as offsets.
   const auto is_of_path = [&](const std::string& name) {

@@ -14,6 +14,11 @@ bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
+// Of rs274 (NGC-POL-01).
+bool is_polar_address(char c) {
+  return c == '@' || c == '^';
+}
+
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -66,10 +71,14 @@ std::size_t digits_behind_blanks(std::string_view text, std::size_t at) {
 std::size_t word_end(std::string_view line, std::size_t at) {
   if (line[at] == ';') return line.size();
   if (line[at] == '(') return close_of(line, at);
-  if (!is_letter(line[at])) {
-    while (at < line.size() && !is_letter(line[at]) && !is_blank(line[at]) && line[at] != '(') ++at;
+  const auto begins_word = [](char c) { return is_letter(c) || is_polar_address(c); };
+  if (!begins_word(line[at])) {
+    while (at < line.size() && !begins_word(line[at]) && !is_blank(line[at]) && line[at] != '(') {
+      ++at;
+    }
     return at;
   }
+  if (is_polar_address(line[at])) ++at;
   while (at < line.size() && is_letter(line[at])) ++at;
   at = number_behind_blanks(line, at);
   while (at < line.size() && !is_blank(line[at]) && line[at] != ';') {
@@ -77,7 +86,7 @@ std::size_t word_end(std::string_view line, std::size_t at) {
     const bool takes_operand = before == '=' || before == '+' || before == '-' || before == '*' ||
                                before == '/' || is_letter(before);
     if (line[at] == '(' && !takes_operand) break;
-    if (is_letter(line[at]) && !takes_operand) break;
+    if (begins_word(line[at]) && !takes_operand) break;
     at = line[at] == '(' ? close_of(line, at) : at + 1;
     if (is_of_number(line[at - 1])) at = digits_behind_blanks(line, at);
   }
@@ -131,6 +140,7 @@ std::size_t count_blocks(std::string_view program) {
 
 std::string address_of(const TextWord& word) {
   std::string address;
+  if (!word.text.empty() && is_polar_address(word.text.front())) return {word.text.front()};
   for (const char c : word.text) {
     if (!is_letter(c)) break;
     address += capital(c);

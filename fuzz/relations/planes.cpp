@@ -34,6 +34,13 @@ std::string code_of(reference::Plane plane) {
   return "G" + std::to_string(plane_code(plane));
 }
 
+// NGC-POL-01: @ and ^ say X and Y in every plane.
+bool has_words_of_xy(const ProgramText& text) {
+  return std::ranges::any_of(text.blocks, [](const TextBlock& block) {
+    return block.find("@") != nullptr || block.find("^") != nullptr;
+  });
+}
+
 // X of a lathe is a diameter; elsewhere the word is the same number. False where it cannot be read.
 bool rescale(TextWord& word, const Number& factor, bool inch) {
   const std::optional<Number> value = plain_value(word);
@@ -80,7 +87,7 @@ std::optional<Related> in_other_plane(const generate::GeneratedProgram& program,
   const reference::Descriptor& table = *text.table;
   const bool has_planes = table.find(Kind::line)->takes('Y');
   if (!has_planes || has_unclear_words(text) || is_calculated(text) || has_open_path(text) ||
-      any_code(text, knows_axes)) {
+      has_words_of_xy(text) || any_code(text, knows_axes)) {
     return std::nullopt;
   }
   for (TextBlock& block : text.blocks) {

@@ -9,9 +9,9 @@
 //   block      = ['/'] [N whole ['.' whole]] comment* (control | item* [construct]) [';' text]
 //   control    = O label keyword ('[' expression ']')* comment*
 //   label      = whole | '<' name '>' | parameter | '[' expression ']'
-//   item       = address (number | value) | assignment | comment
+//   item       = address (number | value) | assignment | comment, an address also @ or ^
 //   assignment = '#' (value | '<' name '>') '=' value
-//   construct  = O rest | ('@' | '^' | '$') value rest
+//   construct  = O rest | '$' value rest
 //
 // What a value is rs274_values.hpp says. The rest of the block is that of all letter-address
 // programs.
@@ -27,8 +27,11 @@ namespace gonogo::grammar::rs274 {
 namespace {
 
 constexpr Letters kCase = Letters::any_case;
+// NGC-POL-01: distance and angle of a point.
+constexpr ByteSet kPolar{"@^"};
+constexpr ByteSet kNgcAddress = kAddress | kPolar;
+constexpr ByteSet kNgcProgram = kProgram<kCase> | kPolar;
 constexpr char kOWord[] = "o-word";
-constexpr char kPolarWord[] = "polar-word";
 constexpr char kSpindleWord[] = "spindle-word";
 // Functions whose value may stand for a number without brackets round it.
 constexpr std::array<std::string_view, 14> kFunctions{"ABS", "ACOS", "ASIN", "ATAN",  "COS",
@@ -128,7 +131,7 @@ struct ValuedWord : spirit::parser<ValuedWord> {
   template <typename Context, typename RuleContext>
   bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
              Word& word) const {
-    if (first == last || !kAddress.contains(capital_of(*first))) return false;
+    if (first == last || !kNgcAddress.contains(capital_of(*first))) return false;
     word.address = capital_of(*first++);
     Iterator ahead = first;
     if (calculated_ahead.parse(ahead, last, context, rule, spirit::unused)) {
@@ -287,15 +290,11 @@ constexpr auto o_word = outside<kOWord>[letter<'O', kCase> >> macro_rest<kCase>]
 constexpr auto value_ahead =
     &(-sign >> (digit | sole<'.'> | sole<'#'> | sole<'['> | Keyword<kFunctions, kCase>{}));
 
-// NGC-CYC-17: radius and angle of a point.
-constexpr auto polar_word =
-    outside<kPolarWord>[(sole<'@'> | sole<'^'>) >> value_ahead >> macro_rest<kCase>];
-
 // NGC-G76-13: which of several spindles.
 constexpr auto spindle_word =
     outside<kSpindleWord>[sole<'$'> >> value_ahead >> macro_rest<kCase>];
 
-constexpr auto construct = o_word | polar_word | spindle_word;
+constexpr auto construct = o_word | spindle_word;
 
 constexpr auto ngc_items = *(append<&Block::words>[ValuedWord{}]
     | append<&Block::assignments>[ParameterSetting{}]
@@ -319,7 +318,7 @@ constexpr auto line = tape_mark | (&NameAhead{} >> name) | block;
 std::optional<SyntaxError> parse_line(std::string_view text, Block& into) {
   thread_local Squeezed squeezed;  // keeps its memory
   squeezed.take(text);
-  std::optional<SyntaxError> error = read_line<kProgram<kCase>>(line, squeezed.text(), into);
+  std::optional<SyntaxError> error = read_line<kNgcProgram>(line, squeezed.text(), into);
   if (error) {
     error->where = squeezed.unsqueezed(error->where);
     return error;

@@ -11,7 +11,7 @@ from rs274_profile import flat
 FEATURES = ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "turns", "lines", "g81", "g73",
             "g83", "g84", "g74", "g85", "g86", "cycle-modal", "cycle-steps", "cycle-planes", "offsets",
             "parameters", "o-words", "rotary", "feed-modes", "local-offsets", "subprograms",
-            "linuxcnc"]
+            "linuxcnc", "polar-words"]
 THREADS = ["g33", "g33.1", "g76"]
 
 # Only what is certain. A message that is not here goes out without a class, for the alarm map.
@@ -32,7 +32,8 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
      r"absolute center arc|Dwell time missing with g4|All axes missing with motion code|"
      r"R clearance plane unspecified|value unspecified in .. plane canned cycle|"
      r"Q word missing with g|Dwell time p word missing with g8|I J or K words missing with G76|"
-     r"All axes missing with g52 or g92|G10 does not have L", "missing-word"),
+     r"All axes missing with g52 or g92|G10 does not have L|polar coordinates is indeterminate|"
+     r"Must specify angle in polar", "missing-word"),
     (r"K word missing with g33|P word missing with G76", "lead-missing"),
     (r"R less than . in cycle", "reference-plane"),
     (r"Cannot do zero repeats|In G76, I must not be 0|In G76, K must be greater",
@@ -51,7 +52,7 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
      "spindle-stopped direction-conflict"),
     (r"F word used with a g33|canned cycles with cutter compensation|inverse time feed with canned|"
      r"threading cycle with cutter radius compensation|two g codes that both use axis values|"
-     r"Cannot use g53 incremental|Must use g0 or g1 with g53", "conflicting-words"),
+     r"Cannot use g53 incremental|Must use g0 or g1 with g53|both polar coordinate and", "conflicting-words"),
     (r"[IJK] word given for arc in", "axis-not-in-plane"),
     (r"with zero feed rate", "feed-missing"),
     (r"Radius to end of arc differs|Current point same as end point of arc", "arc-end-point"),

@@ -130,6 +130,8 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"NGC-ARC-06", kAsChosen},
     {"NGC-CYC-09", kAsChosen},
     {"NGC-CYC-17", kNotExpected},
+    {"NGC-POL-02", "A program that LinuxCNC ships drills a bolt circle by ^ alone."},
+    {"NGC-POL-04", kNotExpected},
     {"NGC-CYC-20", "The feeds of a cycle are cuts, and a cut without F has no speed."},
     {"NGC-CYC-25", "The codes of motion are named that cancel a cycle; no other code does."},
     {"NGC-CYC-26",

@@ -16,6 +16,7 @@ inline constexpr std::string_view kArcs = "RS274/NGC interpreter, version 3: arc
 inline constexpr std::string_view kBlocks = "RS274/NGC interpreter, version 3: lines of a program";
 inline constexpr std::string_view kOverview =
     "LinuxCNC 2.9, G-code overview: format of a line, the end of a program";
+inline constexpr std::string_view kPolar = "LinuxCNC 2.9, G-code overview: polar coordinates";
 inline constexpr std::string_view kGroups = "LinuxCNC 2.9, G-code overview: modal groups";
 
 inline constexpr std::string_view kLaterModes =
@@ -129,6 +130,24 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "G94 is units per minute. What it leaves of the feed in force no text says: LinuxCNC has none "
      "until F is given, in this block or later; NIST's interpreter keeps it.",
      "reference/rs274/interpreter.cpp", Basis::text},
+    {"NGC-POL-01", must, kPolar,
+     "@ is the distance of the end of a motion from the program's origin in X and Y, ^ its angle "
+     "from +X toward +Y. Under G91 they add to the distance and angle of the place where the tool "
+     "stands, with L of a cycle once more for each hole.",
+     "reference/rs274/polar_words.cpp"},
+    {"NGC-POL-02", derived, kPolar,
+     "Under G90 the distance or the angle that is left out is that of the place where the tool "
+     "stands.",
+     "reference/rs274/polar_words.cpp"},
+    {"NGC-POL-03", must, kPolar,
+     "X or Y beside a polar word is an alarm, and so is an increment that begins at the origin, "
+     "which has no angle.",
+     "reference/rs274/polar_words.cpp"},
+    {"NGC-POL-04", must, kPolar,
+     "Polar words of other codes, beside G53, under G7, outside G17 or in the block that enters "
+     "it, a polar word that stands twice, a distance alone from the origin under G90, and a row of "
+     "holes through the origin are not read.",
+     "reference/rs274/polar_words.cpp"},
     {"NGC-FED-01", must, kLaterModes,
      "G93 is inverse time: a block takes 1/F minutes, so that the feed is F times its way: that of "
      "the linear axes, along the curve where it is an arc, or that of the rotary axes where they "

@@ -83,8 +83,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "In G18 and G19 a cycle is as in G17, with the axes of that plane in their order. A plane of "
      "the same block counts; a number that is in force is that of the third axis in force.",
      "reference/rs274/hole_block.cpp"},
-    {"NGC-CYC-17", must, kCycles,
-     "G17.1, G18.1 and G19.1, the axes B U V W, and the polar words @ and ^ are not read.",
+    {"NGC-CYC-17", must, kCycles, "G17.1, G18.1 and G19.1 and the axes B U V W are not read.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-CYC-18", must, kCycles,
      "A word of a rotary axis in a block that runs a cycle is an alarm. Where a rotary axis stands "

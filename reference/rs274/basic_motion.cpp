@@ -8,6 +8,7 @@
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/reading_literal.hpp"
+#include "reference/rs274/polar_words.hpp"
 #include "reference/rs274/tool_lengths.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -24,6 +25,13 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to) {
     axes.add(letter.axis);
     places[letter.axis] = *value;
     to[letter.axis] = machine.modes.incremental ? to[letter.axis] + *value : *value;
+  }
+  if (block.words.is_polar()) {
+    axes.add(Axis::x);
+    axes.add(Axis::y);
+    const PlaceInXy end = polar_end(block);
+    to[Axis::x] = end[0];
+    to[Axis::y] = end[1];
   }
   // NGC-OFS-13
   if (is_of_machine) {

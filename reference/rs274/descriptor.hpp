@@ -18,6 +18,13 @@ inline constexpr auto kEnds = std::to_array<CodeWord>({
     {"A", place, "end point, degrees", Life::block, "rotary"},
     {"C", place, "end point, degrees", Life::block, "rotary"},
 });
+// NGC-POL-01
+inline constexpr auto kPolar = std::to_array<CodeWord>({
+    {"@", polar_radius, "distance of the end from the origin in X and Y", Life::block,
+     "polar-words"},
+    {"^", polar_angle, "angle of the end about the origin, degrees from +X toward +Y", Life::block,
+     "polar-words"},
+});
 inline constexpr auto kArc = std::to_array<CodeWord>({
     {"I", centre, "centre along X, from the start or under G90.1 absolute"},
     {"J", centre, "centre along Y"},
@@ -135,10 +142,11 @@ inline constexpr auto kHoleUse = std::to_array<UseFeature>({
 });
 
 inline constexpr ClauseId kLines = "NGC-G0-01"_clause;
-inline constexpr Code kTraverse = does(Kind::traverse, Group::motion, kLines, "basic", {kEnds});
-inline constexpr Code kFeed = does(Kind::line, Group::motion, kLines, "basic", {kEnds});
+inline constexpr Code kTraverse =
+    does(Kind::traverse, Group::motion, kLines, "basic", {kEnds, kPolar});
+inline constexpr Code kFeed = does(Kind::line, Group::motion, kLines, "basic", {kEnds, kPolar});
 inline constexpr Code kRound =
-    does(Kind::arc, Group::motion, "NGC-ARC-01"_clause, "arc", {kEnds, kArc}).used(kArcUse);
+    does(Kind::arc, Group::motion, "NGC-ARC-01"_clause, "arc", {kEnds, kPolar, kArc}).used(kArcUse);
 inline constexpr Code kPause =
     does(Kind::dwell, Group::once, "NGC-G4-01"_clause, "basic", {kDwell});
 
@@ -154,9 +162,9 @@ constexpr Code drills(std::string_view name, std::string_view title, ClauseId cl
                       std::string_view feature, const WordLists& words) {
   return does(Kind::cycle, Group::motion, clause, feature, words).used(kHoleUse).named(name, title);
 }
-inline constexpr WordLists kPlain = {kHole};
-inline constexpr WordLists kDwelling = {kHole, kHoleDwell};
-inline constexpr WordLists kPecking = {kHole, kPecks};
+inline constexpr WordLists kPlain = {kHole, kPolar};
+inline constexpr WordLists kDwelling = {kHole, kPolar, kHoleDwell};
+inline constexpr WordLists kPecking = {kHole, kPolar, kPecks};
 
 inline constexpr Code kOff =
     does(Kind::off, Group::motion, "NGC-MOD-01"_clause, "basic", {}).initial();
@@ -358,6 +366,7 @@ inline constexpr auto kFeatures = std::to_array<DialectFeature>({
     {"parameters", "parameters, their settings, expressions and functions", true},
     {"o-words", "subroutines, conditions and loops of the program's own", true},
     {"rotary", "the rotary axes A and C"},
+    {"polar-words", "@ and ^, points by their distance and angle"},
     {"feed-modes", "G93 and G95, feed as inverse time and per revolution"},
     {"local-offsets", "G52, G43.2, tools that G10 describes, and turned coordinate systems"},
     {"subprograms", "M98 and M99"},

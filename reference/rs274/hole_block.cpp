@@ -231,6 +231,7 @@ void HoleBlock::run(Hole hole) {
               .dwell_time = dwell_,
               .spindle = machine.spindle};
   // NGC-CYC-13, NGC-CYC-14
+  if (machine.modes.incremental && block_.words.is_polar()) holes.polar = polar_steps(block_);
   if (machine.modes.incremental) {
     holes.step = {holes.first[0] - holes.start[axes_.p], holes.first[1] - holes.start[axes_.q]};
   }

@@ -7,6 +7,7 @@
 namespace gonogo::reference::rs274 {
 
 std::array<Number, 2> Holes::place(const Number& k) const {
+  if (polar) return polar->after(k).in_xy();
   return {first[0] + (k - 1) * step[0], first[1] + (k - 1) * step[1]};
 }
 

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "reference/rs274/machine.hpp"
+#include "reference/rs274/polar_words.hpp"
 
 namespace gonogo::reference::rs274 {
 
@@ -13,14 +13,15 @@ namespace gonogo::reference::rs274 {
 struct Holes {
   std::uint64_t line = 0;
   PlaneAxes axes{};
-  Position start;                // A
-  std::vector<Record> approach;  // to the first hole
-  std::array<Number, 2> first;   // place of the first hole in the plane
-  std::array<Number, 2> step{};  // from one hole to the next; 0: all in one place
-  Number count;                  // L
-  Number r_plane;                // R
-  Number bottom;                 // B
-  Number clear;                  // where a hole leaves the tool: C, except G73
+  Position start;                        // A
+  std::vector<Record> approach;          // to the first hole
+  std::array<Number, 2> first;           // place of the first hole in the plane
+  std::array<Number, 2> step{};          // from one hole to the next; 0: all in one place
+  std::optional<PolarSteps> polar = {};  // the same by polar words under G91
+  Number count;                          // L
+  Number r_plane;                        // R
+  Number bottom;                         // B
+  Number clear;                          // where a hole leaves the tool: C, except G73
   Number feed_in_force;
   FeedMode feed_mode = FeedMode::per_minute;
   Number dwell_time;  // s

@@ -17,6 +17,7 @@
 #include "reference/rs274/modes.hpp"
 #include "reference/rs274/o_words.hpp"
 #include "reference/rs274/other_classes.hpp"
+#include "reference/rs274/polar_words.hpp"
 #include "reference/rs274/program_text.hpp"
 #include "reference/rs274/unused_words.hpp"
 
@@ -88,6 +89,7 @@ const Position& Interpreter::position() const {
 
 void Interpreter::stand_at(const Position& position) {
   machine_.position = machine_.offsets.frame.to_program(position);
+  machine_.polar.reset();
 }
 
 // NGC-OFS-01: what the block put out, in coordinates of the machine; its motions begin `at`.
@@ -280,7 +282,7 @@ void Interpreter::run_motion(BlockContext& block) const {
 void check_each_word(const BlockWords& words, const Profile& profile, const ReadingsInUse& readings,
                      std::vector<Alarm>& alarms) {
   const ClauseId clause = "NGC-COM-01"_clause;
-  check_repeated_addresses(words, clause, alarms, "GM");
+  check_repeated_addresses(words, clause, alarms, "GM@^");
   check_m_groups(words.block(), readings, alarms);
   check_feed_sign(words, clause, alarms);
   check_spindle_and_tool(words, profile, readings, alarms);
@@ -305,9 +307,11 @@ void Interpreter::run_block(BlockContext& block) const {
   check_modes(block);
   take_offsets(block);
   if (block.machine.offsets.frame.is_turned) block.start = block.machine.position;
+  check_polar_words(block);
   run_once(block);  // NGC-CYC-27: a dwell is before all motion
   const bool is_sound = block.out.alarms.empty() && !block.out.not_covered;
   run_motion(block);
+  keep_polar_place(block);
   if (!is_sound || block.out.alarms.empty() || !finds_behind_dwell(block)) return;
   std::vector<Item> dwells = dwells_of(block);
   if (!dwells.empty() && readings_.is("ngc.alarm-dwell=dwells"_reading)) {
@@ -415,7 +419,9 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
   context.functions = m_functions_of(block, readings_);
   saved_.take(context);
   const bool has_diameters = machine_.modes.diameter;
+  const Plane plane = machine_.plane;
   take_modes(codes, line);
+  context.turns_plane = machine_.plane != plane;
   context.turns_diameters = machine_.modes.diameter != has_diameters;
   context.runs_motion = runs_motion(machine_, words, codes, readings_);
   context.p_is_turns = context.runs_motion && is_arc(machine_.motion) && words.has('P') &&

@@ -15,16 +15,35 @@ namespace gonogo::reference::rs274 {
 // NGC-CYC-10: what G98 and G99 say; `unsaid` before either was given.
 enum class Retract : std::uint8_t { unsaid, initial_level, r_plane };
 
+// X and Y of a place, mm.
+using PlaceInXy = std::array<Number, 2>;
+
+// NGC-POL-01: how much farther from the origin, mm, and farther round it, degrees.
+struct PolarStep {
+  Number distance;
+  Number angle;
+};
+
+// A place to which polar words have led from another one, so that a long row of increments is as
+// exact as one. REQUIRES: `base` is not the origin, or no distance is added.
+struct PolarPlace {
+  PlaceInXy base;
+  PolarStep added;
+
+  PlaceInXy in_xy() const;
+};
+
 // Its position is that of the program, from the origin that the offsets give it.
 struct Machine : MotionState {
   explicit Machine(const Profile& profile) : offsets(profile) {}
 
   WordModes modes;
-  int motion = kNoMotion;          // as BlockCodes has it; kNoMotion also after G80
-  std::uint64_t motion_ended = 0;  // the line of that G80; 0: none was in force
-  Number rotary_feed;              // F as written: degrees per minute where rotary axes move alone
-  bool is_inverse_time = false;    // NGC-FED-01: F holds for its block, and feed is 0
-  bool has_surface_speed = false;  // G96
+  int motion = kNoMotion;           // as BlockCodes has it; kNoMotion also after G80
+  std::uint64_t motion_ended = 0;   // the line of that G80; 0: none was in force
+  Number rotary_feed;               // F as written: degrees per minute where rotary axes move alone
+  bool is_inverse_time = false;     // NGC-FED-01: F holds for its block, and feed is 0
+  bool has_surface_speed = false;   // G96
+  std::optional<PolarPlace> polar;  // of the position, where polar words have led there
   Retract retract = Retract::unsaid;
   int spindle = 5;         // M3, M4 or M5
   bool has_speed = false;  // S above zero
@@ -45,8 +64,10 @@ struct BlockContext : BlockBase {
   Letters letters = 0;       // of the words that its codes take, except the motion
   bool runs_motion = false;  // the motion in force acts in the block
   Position start = {};       // of its motion, once offsets have acted, where the axes are turned
-  bool turns_diameters = false;  // G7 or G8 changes the mode
-  bool p_is_turns = false;       // of an arc: P is there, and no other code of the block takes it
+  bool turns_diameters = false;          // G7 or G8 changes the mode
+  bool turns_plane = false;              // G17, G18 or G19 changes the plane
+  std::optional<PolarPlace> polar = {};  // where polar words lead
+  bool p_is_turns = false;  // of an arc: P is there, and no other code of the block takes it
   MFunctions functions = {};
 };
 

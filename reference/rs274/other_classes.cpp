@@ -46,6 +46,9 @@ void admit_by_rule(Alarm& alarm) {
     case AlarmClass::missing_word:  // a motion for axis words; a number that counts as one outside
       if (is_at_code(alarm)) admit(AlarmClass::unused_word);
       if (alarm.clause == "NGC-OFS-03"_clause) admit(AlarmClass::value_out_of_range);
+      if (alarm.clause == "NGC-POL-03"_clause) {  // a place without an angle
+        admit(AlarmClass::value_out_of_range, AlarmClass::conflicting_words);
+      }
       return;
     case AlarmClass::lead_missing:
     case AlarmClass::feed_missing:

@@ -26,7 +26,7 @@ class WordTakers {
   bool beside_motion(char address) const { return (own_ & letter_bit(address)) != 0; }
   bool take(char address) const {
     // Codes, axes, and what is passed on.
-    constexpr Letters kAlways = letters_of("A C F G M S T X Y Z");
+    constexpr Letters kAlways = letters_of("A C F G M S T X Y Z @ ^");
     if (((kAlways | own_ | block_.codes.of_motions) & letter_bit(address)) != 0) return true;
     return (motion_ & letter_bit(address)) != 0 && by_reading(address);
   }

@@ -19,8 +19,8 @@ std::optional<Number> BlockWords::along(const AxisLetter& axis) const {
 }
 
 bool BlockWords::has_axis_word() const {
-  return std::ranges::any_of(kAxisLetters,
-                             [&](const AxisLetter& axis) { return has(axis.address); });
+  return is_polar() || std::ranges::any_of(
+                           kAxisLetters, [&](const AxisLetter& axis) { return has(axis.address); });
 }
 
 }  // namespace gonogo::reference::rs274

@@ -43,7 +43,9 @@ class BlockWords : public WordTable {
   // As an axis word: mm, or degrees as written.
   std::optional<Number> along(const AxisLetter& axis) const;
   bool has_axis_word() const;
-  bool has_linear_axis_word() const { return has('X') || has('Y') || has('Z'); }
+  bool has_linear_axis_word() const { return has('X') || has('Y') || has('Z') || is_polar(); }
+  // NGC-POL-01
+  bool is_polar() const { return has('@') || has('^'); }
   bool has_rotary_axis_word() const { return has('A') || has('C'); }
   bool has_offset() const { return has('I') || has('J') || has('K'); }
   const WordModes& modes() const { return modes_; }

@@ -242,12 +242,18 @@ TEST(Outside, OfRs274AreOtherOWords) {
                                   {"(a) O1234", "o-word", 0, {4, 9}}});
 }
 
-TEST(Outside, OfRs274ArePolarWordsAndSpindles) {
-  expect_outside(Dialect::rs274, {{"G0 @5 ^30", "polar-word", 1, {3, 9}},
-                                  {"g81 ^ - 3 0 z-1 (c)", "polar-word", 1, {4, 19}},
-                                  {"G1 @#<r> F5", "polar-word", 1, {3, 11}},
-                                  {"@[1+2]", "polar-word", 0, {0, 6}},
-                                  {"G33 K1 Z-5 $1", "spindle-word", 3, {11, 13}}});
+TEST(Outside, OfRs274AreSpindles) {
+  expect_outside(Dialect::rs274, {{"G33 K1 Z-5 $1", "spindle-word", 3, {11, 13}}});
+}
+
+// NGC-POL-01
+TEST(Block, OfRs274HasWordsWithAnAtSignAndACaret) {
+  EXPECT_EQ(parsed(Dialect::rs274, "G0 @5 ^ - 3 0.5"),
+            block_of({word('G', 0), word('@', 5), word('^', -305, 1)}));
+  const Block calculated = parsed(Dialect::rs274, "@[1+2]^#<a>");
+  ASSERT_EQ(calculated.words.size(), 2U);
+  EXPECT_EQ(calculated.words[0].address, '@');
+  EXPECT_EQ(calculated.words[1].terms.count, 1U);
 }
 
 // NGC-COM-04: LinuxCNC and NIST's interpreter take `X 1 5` as X15 and `N 1 0` as N10.

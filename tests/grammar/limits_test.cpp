@@ -32,7 +32,8 @@ TEST(EveryByte, AloneInALine) {
         EXPECT_TRUE(parsed(dialect, line).outside);
         continue;
       }
-      const bool letter = capital || (any_case && lower_case);
+      const bool polar = any_case && (value == '@' || value == '^');  // NGC-POL-01
+      const bool letter = capital || (any_case && lower_case) || polar;
       const SyntaxError error = fault(dialect, line);
       EXPECT_EQ(error.where.begin, letter ? 1U : 0U) << value;
       EXPECT_EQ(error.code, letter         ? SyntaxCode::number_expected

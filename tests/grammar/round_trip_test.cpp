@@ -86,8 +86,7 @@ rc::Gen<Block> any_block(Dialect dialect) {
       constructs.insert(constructs.end(), {"variable", "expression", "control-statement"});
     }
     if (dialect == Dialect::gsk988ta) constructs.push_back("file-name");
-    if (dialect == Dialect::rs274)
-      constructs.insert(constructs.end(), {"polar-word", "spindle-word"});
+    if (dialect == Dialect::rs274) constructs.emplace_back("spindle-word");
     const std::string outside = *rc::gen::elementOf(constructs);
     if (!outside.empty()) block.outside = OutsideConstruct{outside, {}};
     const std::string tail = *rc::gen::arbitrary<std::string>();
@@ -102,8 +101,8 @@ rc::Gen<std::string> any_line() {
       "G1", "G 90", "X-1.50", "Z+.5", "F200.", " ", "\t", "(c)", "(\xD6\xD0)", "N10 ", "O7", "/",
       "%", "%12 ", ";", "-", "5", "X", ".", "X#1", "F[1/2]", "#2=3", "IF", "ENDW", "P[T1]", "]",
       "x", "\xE2\x88\x92", "(", "g0", "o1 sub", "Ysin[1]", "x#<a>", "#<b>=[1+2]", "z[#1 mod 2]",
-      "o2 while [1 le 2]", "x-[1**2--3]", "yatan[1]/[2]", "o<c> call [1] [#2]",
-      "g[exists[#<a>]+1]");
+      "o2 while [1 le 2]", "x-[1**2--3]", "yatan[1]/[2]", "o<c> call [1] [#2]", "g[exists[#<a>]+1]",
+      "@2.5", "^[360/7]");
   const auto usual = rc::gen::element<std::string>("G1", "G 90", "X-1.50", "Z+.5", "F200.", " ",
                                                    "(c)", "X 00012.", "D99999999999999999999");
   return rc::gen::map(rc::gen::container<std::vector<std::string>>(

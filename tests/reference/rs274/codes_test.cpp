@@ -120,7 +120,6 @@ TEST(NgcCodes, MFunctionsAreKnownOrNot) {
 
 TEST(NgcCodes, OtherFormsOfTheLanguageAreNotCovered) {
   EXPECT_EQ(ending_of("o100 jump"), "not-covered b1 o-word");
-  EXPECT_EQ(ending_of("G0 @5 ^30"), "not-covered b1 polar-word");
   EXPECT_EQ(ending_of("M3 G33 Z-1 K1 $1"), "not-covered b1 spindle-word");
 }
 

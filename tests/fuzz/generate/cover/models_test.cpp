@@ -97,8 +97,9 @@ bool is_left_to_other_vectors(const reference::Code& code, const reference::Code
   using reference::Role;
   // Ends are those of paths, polar ones of lines and arcs.
   if (word.role == Role::place || word.role == Role::way) return true;
+  // Those of rs274 stand for X and Y, in vectors of their own.
   const bool is_polar = word.role == Role::polar_angle || word.role == Role::polar_radius;
-  if (is_polar && code.kind == Kind::circle) return true;
+  if (is_polar && (code.kind == Kind::circle || word.feature == "polar-words")) return true;
   // The values that are read change nothing: a run-out or an angle of 0, one start.
   const bool is_trivial = std::ranges::any_of(code.passed, [&](const reference::IgnoredWords& rule) {
     return rule.when.starts_with("of ") && rule.words.find(word.address) != std::string_view::npos;
