@@ -14,6 +14,11 @@ bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
+// NGC-POL-01
+bool is_polar_address(char c) {
+  return c == '@' || c == '^';
+}
+
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
@@ -35,9 +40,8 @@ bool is_function(std::string_view rest) {
 std::string_view macro_at(std::string_view rest) {
   if (rest.empty()) return {};
   if (std::string_view("#[Oo").find(rest[0]) != std::string_view::npos) return rest.substr(0, 1);
-  // NGC-CYC-17, NGC-G76-13: words of polar places and of another spindle.
-  const bool special = rest[0] == '@' || rest[0] == '^' || rest[0] == '$';
-  if (!is_letter(rest[0]) && !special) return {};
+  const bool special = rest[0] == '$';  // NGC-G76-13: of another spindle
+  if (!is_letter(rest[0]) && !is_polar_address(rest[0]) && !special) return {};
   rest.remove_prefix(1);
   while (!rest.empty() && is_blank(rest[0])) rest.remove_prefix(1);
   if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) rest.remove_prefix(1);
@@ -109,6 +113,7 @@ void Block::clear() {
   macro_ = {};
   long_number_ = false;
   skipped_ = false;
+  twice_polar_ = false;
   motions_ = {};
 }
 
@@ -144,7 +149,7 @@ Block::Reading Block::read(std::string_view line, const Manner& manner) {
 }
 
 Block::Reading Block::read_words(std::string_view line, const Manner& manner) {
-  Tokenizer tokens(line);
+  Tokenizer tokens(line, "@^");
   Word word;
   bool first_word = true;  // N may stand here
   for (Position position = 0;; ++position) {
@@ -201,6 +206,10 @@ void Block::take(const Word& word, Position position, const WholeNumbers& whole)
   if (word.address == 'G') return take_code(whole.tenths(word.number), position);
   if (word.address == 'M') {
     functions_.push_back({whole.function(word.number), word.number.overflow, position});
+    return;
+  }
+  if (words_.has(word.address) && is_polar_address(word.address)) {
+    twice_polar_ = true;
     return;
   }
   if (words_.has(word.address)) return note_duplicate(word.address, position);

@@ -81,6 +81,8 @@ class Block {
   }
   /// The number of the line has decimals, or more digits than NIST's interpreter takes.
   bool long_number() const { return long_number_; }
+  /// A polar word stands twice.
+  bool twice_polar() const { return twice_polar_; }
   /// NGC-COM-10: the last comment in brackets is (abort,...).
   bool aborts() const;
   bool empty() const { return words_.empty() && !any_code_ && functions_.empty(); }
@@ -99,7 +101,7 @@ class Block {
   char last_address() const { return last_address_; }
 
  private:
-  static std::size_t index_of(char address) { return static_cast<std::size_t>(address - 'A'); }
+  static std::size_t index_of(char address) { return static_cast<std::size_t>(address - '@'); }
   void clear();
   Reading unreadable(std::string_view rest);
   Reading read_words(std::string_view line, const Manner& manner);
@@ -111,8 +113,9 @@ class Block {
   void note_duplicate(char address, Position position);
 
   AddressSet words_;
-  std::array<Decimal, 26> numbers_;  // valid where words_ has the address
-  std::array<Position, 26> positions_{};
+  static constexpr std::size_t kAddresses = '^' - '@' + 1;
+  std::array<Decimal, kAddresses> numbers_;  // valid where words_ has the address
+  std::array<Position, kAddresses> positions_{};
   std::vector<FunctionWord> functions_;
   std::array<const Code*, kGroups> codes_{};
   bool any_code_ = false;
@@ -124,6 +127,7 @@ class Block {
   std::string_view macro_;
   bool long_number_ = false;
   bool skipped_ = false;
+  bool twice_polar_ = false;
   std::string line_;  // without blanks
 
   // Codes of the motion group, G80 apart.

@@ -48,8 +48,10 @@ class CycleBlock {
   void take_initial();
   void take_levels();
   void take_places();
+  void take_polar_places();
   void take_count();
   bool stands_still() const;
+  bool leads_through_origin() const;
   void take_dwell();
   void take_pecks();
   void check_late(Plan& plan);
@@ -77,6 +79,7 @@ void CycleBlock::prepare(Plan& plan) {
   take_count();
   take_dwell();
   take_pecks();
+  if (leads_through_origin()) plan.outside = "holes through the origin";
   if (stands_still()) cycle_.count = std::min<Fixed>(cycle_.count, 1);
   cycle_.spindle = state_.spindle;
   cycle_.feed = feed_of(state_);
@@ -98,7 +101,7 @@ void CycleBlock::prepare(Plan& plan) {
 // NGC-CYC-04, 18
 void CycleBlock::check_axes() {
   const bool named = block_.code(Group::kMotion) != nullptr;
-  const bool linear = block_.has_any(AddressSet{"XYZ"});
+  const bool linear = block_.has_any(kLinearWords);
   if (!linear && named && machine_.spares("cycle-needs-no-axis"_fault)) {
     machine_.complain(AlarmKind::kMissingWord, 'X', kNowhere);
   }
@@ -207,6 +210,7 @@ void CycleBlock::take_levels() {
 
 // NGC-CYC-05, 06
 void CycleBlock::take_places() {
+  if (is_polar(block_)) return take_polar_places();
   for (const std::size_t axis : {plane_.p, plane_.q}) {
     const char address = kAxisAddress[axis];
     const Fixed tool = state_.position[axis];
@@ -225,6 +229,12 @@ void CycleBlock::take_places() {
           machine_.alters<Fixed>("l-steps-under-g90"_fault, 0, cycle_.first[axis] - tool);
     }
   }
+}
+
+// NGC-POL-01
+void CycleBlock::take_polar_places() {
+  cycle_.polar = polar_way(machine_, block_);
+  lead_to(machine_, block_, *cycle_.polar, 0, cycle_.first);
 }
 
 // NGC-CYC-13, 14, 15
@@ -258,8 +268,16 @@ void CycleBlock::take_count() {
 bool CycleBlock::stands_still() const {
   const bool turns = is_tap(cycle_.code) || cycle_.code == Motion::kG86;
   const bool dwells = cycle_.dwell != 0 || machine_.configuration.pecks_dwell;
-  return !turns && !dwells && cycle_.r == cycle_.bottom && cycle_.r == cycle_.clear &&
+  const bool goes_on = cycle_.polar && (cycle_.polar->further != 0 || cycle_.polar->turn != 0);
+  return !turns && !dwells && !goes_on && cycle_.r == cycle_.bottom && cycle_.r == cycle_.clear &&
          cycle_.drift == 0 && cycle_.step[plane_.p] == 0 && cycle_.step[plane_.q] == 0;
+}
+
+// NGC-POL-04
+bool CycleBlock::leads_through_origin() const {
+  if (!cycle_.polar || cycle_.count < 2) return false;
+  const auto behind_first = static_cast<long double>(cycle_.count - 2);
+  return cycle_.polar->distance + behind_first * cycle_.polar->further <= 0;
 }
 
 // Reading ngc.tap.p: without P a tap has the dwell of the cycle before.

@@ -24,6 +24,9 @@ bool cross(const Hole& hole, Fixed number, Fixed to) {
     place[axis] = cycle.first[axis] + number * cycle.step[axis];
     axes |= axis_bit(axis);
   }
+  if (cycle.polar) {
+    lead_to(*cycle.polar, hole.machine.alters("polar-row-in-place"_fault, number, 0), place);
+  }
   if (place[plane.d] != to) axes |= axis_bit(plane.d);
   place[plane.d] = to;
   return hole.machine.tracer.rapid(place, axes);

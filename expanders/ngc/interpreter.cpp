@@ -12,7 +12,7 @@ namespace gonogo::expanders::ngc {
 namespace {
 
 // Words whose size matters to the path; of the others any number of digits will do.
-constexpr AddressSet kMeasured{"XYZACIJKRPF"};
+constexpr AddressSet kMeasured{"XYZACIJKRPF@^"};
 
 bool is_end(Fixed m) {
   return m == 2 || m == 30;
@@ -148,22 +148,50 @@ Flow Interpreter::unsupported(char letter, unsigned tenths) {
   return unsupported(std::string_view{code, static_cast<std::size_t>(size)});
 }
 
+// What is in force once the codes of the block have acted.
+Motion Interpreter::coming_motion() const {
+  const Code* code = block_.code(Group::kMotion);
+  return code != nullptr ? static_cast<Motion>(code->tenths) : machine_.state.motion;
+}
+
+int Interpreter::coming_plane() const {
+  const Code* plane = block_.code(Group::kPlane);
+  return plane != nullptr ? plane->tenths / 10 : machine_.state.plane;
+}
+
+bool Interpreter::coming_diameters() const {
+  const Code* lathe = block_.code(Group::kLathe);
+  return lathe != nullptr ? lathe->tenths == 70 : machine_.state.diameter;
+}
+
 // NGC-DIA-02
 Flow Interpreter::check_diameters() {
   const State& state = machine_.state;
-  const Code* lathe = block_.code(Group::kLathe);
-  const bool changes = lathe != nullptr && (lathe->tenths == 70) != state.diameter;
-  if (changes && block_.has('X')) return unsupported("X where G7 or G8 changes the mode");
-  if (lathe != nullptr ? lathe->tenths != 70 : !state.diameter) return Flow::kContinue;
+  if (coming_diameters() != state.diameter && block_.has('X')) {
+    return unsupported("X where G7 or G8 changes the mode");
+  }
+  if (!coming_diameters()) return Flow::kContinue;
   const Code* centre = block_.code(Group::kArcDistance);
   const bool absolute = centre != nullptr ? centre->tenths == 901 : state.absolute_centre;
   if (block_.has('I') && absolute) return unsupported("I under G7 and G90.1");
-  const Code* plane = block_.code(Group::kPlane);
-  const Code* code = block_.code(Group::kMotion);
-  const Motion motion = code != nullptr ? static_cast<Motion>(code->tenths) : state.motion;
-  const int in_force = plane != nullptr ? plane->tenths / 10 : state.plane;
-  return is_cycle(motion) && in_force == 19 ? unsupported("A cycle along X under G7")
-                                            : Flow::kContinue;
+  return is_cycle(coming_motion()) && coming_plane() == 19 ? unsupported("A cycle along X under G7")
+                                                           : Flow::kContinue;
+}
+
+// NGC-POL-04
+Flow Interpreter::check_polar_words() {
+  const Motion motion = coming_motion();
+  if (!is_polar(block_) || motion == Motion::kNone) return Flow::kContinue;
+  const bool ends = motion == Motion::kRapid || motion == Motion::kLine || is_arc(motion);
+  const bool in_xy = machine_.state.plane == 17 && coming_plane() == 17;
+  const Code* distance = block_.code(Group::kDistance);
+  const State& state = machine_.state;
+  const bool adds = distance != nullptr ? distance->tenths == 910 : state.incremental;
+  const bool has_angle =
+      adds || block_.has('^') || state.position[GONOGO_X] != 0 || state.position[GONOGO_Y] != 0;
+  const bool is_clear = in_xy && !block_.twice_polar() && !coming_diameters() && has_angle;
+  return (ends || is_cycle(motion)) && is_clear ? Flow::kContinue
+                                                : unsupported("polar words of this motion");
 }
 
 // What the control can do and this expander cannot; it goes before every alarm of the block but
@@ -174,8 +202,8 @@ Flow Interpreter::check_coverage() {
     if (block_.has(address)) return unsupported({&address, 1});
   }
   if (const Flow lathe = check_diameters(); lathe != Flow::kContinue) return lathe;
-  const Code* code = block_.code(Group::kMotion);
-  const Motion motion = code != nullptr ? static_cast<Motion>(code->tenths) : machine_.state.motion;
+  if (const Flow polar = check_polar_words(); polar != Flow::kContinue) return polar;
+  const Motion motion = coming_motion();
   const bool synchronous = motion == Motion::kG33 || motion == Motion::kG331;
   if (synchronous && !block_.unknown_code() && block_.has_any(kRotaryWords))
     return unsupported("G33 with a rotary axis");

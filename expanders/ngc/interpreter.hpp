@@ -27,7 +27,11 @@ class Interpreter {
   bool refuses_number() const;
   Flow check_end();
   Flow run_block();
+  Motion coming_motion() const;
+  int coming_plane() const;
+  bool coming_diameters() const;
   Flow check_diameters();
+  Flow check_polar_words();
   Flow check_coverage();
   void check_block();
   void check_numbers();

@@ -42,7 +42,8 @@ inline Feed feed_of(const State& state) {
 
 /// In the order of gonogo_axis.
 inline constexpr char kAxisAddress[] = "XYZAC";
-inline constexpr AddressSet kAxisWords{"XYZAC"};
+inline constexpr AddressSet kAxisWords{"XYZAC@^"};
+inline constexpr AddressSet kLinearWords{"XYZ@^"};
 inline constexpr AddressSet kRotaryWords{"AC"};
 inline constexpr Axes kLinearAxes = axis_bit(GONOGO_X) | axis_bit(GONOGO_Y) | axis_bit(GONOGO_Z);
 

@@ -204,7 +204,7 @@ bool Interpreter::lacks_axis() const {
   const Motion motion = machine_.state.motion;
   if (motion == Motion::kNone) return true;
   if (block_.code(Group::kMotion) == nullptr) return false;
-  if (is_cycle(motion)) return !block_.has_any(AddressSet{"XYZ"});
+  if (is_cycle(motion)) return !block_.has_any(kLinearWords);
   const bool straight = motion == Motion::kRapid || motion == Motion::kLine;
   return straight && machine_.configuration.motion_needs_axis && !block_.has_any(kAxisWords);
 }

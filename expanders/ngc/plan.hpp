@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <variant>
 
-#include "expanders/ngc/machine.hpp"
+#include "expanders/ngc/polar.hpp"
 
 namespace gonogo::expanders::ngc {
 
@@ -48,6 +49,7 @@ struct Cycle {
   // Hole n (0, 1, ...) is at first + n * step, along the axes of the plane.
   Point first{};
   Point step{};
+  std::optional<PolarWay> polar;  ///< instead of them
   Fixed count = 1;
   Fixed drift = 0;  ///< of the levels from hole to hole: a planted fault
   Fixed dwell = 0;  ///< seconds

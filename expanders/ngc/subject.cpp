@@ -20,7 +20,7 @@ struct Ngc {
       R"("dialects":{"rs274":["basic","arc","arc-r","planes","helix","arc-distance","turns",)"
       R"("lines",)"
       R"("g81","g73","g83","g84","g74","g85","g86","cycle-modal","cycle-steps","cycle-planes",)"
-      R"("g33","g33.1","g76","rotary","feed-modes","linuxcnc"]},)"
+      R"("g33","g33.1","g76","rotary","feed-modes","linuxcnc","polar-words"]},)"
       R"("features":["blocks","m","bytes"],)"
       R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.0001","chord":"0"},)"
       R"("readings":["*"],"max_in_flight":1})";

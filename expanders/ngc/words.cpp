@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <bit>
-
-#include "expanders/ngc/machine.hpp"
+#include "expanders/ngc/polar.hpp"
 
 namespace gonogo::expanders::ngc {
 
@@ -22,6 +20,10 @@ Point commanded_point(Machine& machine, const Block& block, Axes& axes) {
     if (state.incremental) place += state.position[axis];
     to[axis] = reached(machine, block, place, address);
   }
+  if (is_polar(block)) {
+    axes |= axis_bit(GONOGO_X) | axis_bit(GONOGO_Y);
+    lead_to(machine, block, polar_way(machine, block), 0, to);
+  }
   return to;
 }
 
@@ -40,15 +42,14 @@ Fixed reached(Machine& machine, const Block& block, Wide place, char address) {
 }
 
 void check_sizes(Machine& machine, const Block& block, AddressSet words) {
-  for (std::uint32_t bits = block.words().bits() & words.bits(); bits != 0; bits &= bits - 1) {
-    const char address = static_cast<char>('A' + std::countr_zero(bits));
+  (block.words() & words).each([&](char address) {
     const Decimal& number = block.number(address);
     // In inches no number grows by more than that; turns, seconds and counts do not grow.
     const bool fixed = address == 'P' || address == 'L' || address == 'H';
     if (number.overflow || !(fixed || fits(scaled(number.value, 254, 10)))) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
-  }
+  });
 }
 
 }  // namespace gonogo::expanders::ngc

@@ -225,8 +225,9 @@ TEST(NgcCycleAlarm, FoundLate) {
 TEST(NgcCycleCoverage, WhatIsOutside) {
   for (const char* block :
        {"G87 X1 Z1 R2 I1 J1 K1", "G88 X1 Z1 R2 P1", "G81 B1", "G81 X1 Z1 R2 U1", "G81 @1 Z1 R2",
-        "G81 ^1 Z1 R2", "G76 P1 Z1 I1 J1 K2 $1", "G33 A1 K1", "G53 G81 X1 Z1 R2",
-        "M3\nG33 Z1 K1\nC1 K1", "G18 M3\nG76 P2 Z-20 I-1 J0.5 K1 Q90"}) {
+        "G18 G81 @1 ^9 Y1 R2", "G19\nG1 @1 ^9", "G18\nG17 G0 @1 ^9", "G76 P1 Z1 I1 J1 K2 $1",
+        "G33 A1 K1", "G53 G81 X1 Z1 R2", "M3\nG33 Z1 K1\nC1 K1",
+        "G18 M3\nG76 P2 Z-20 I-1 J0.5 K1 Q90"}) {
     EXPECT_EQ(run_ngc("F100\n" + std::string(block) + "\n").answer, GONOGO_UNSUPPORTED) << block;
   }
 }

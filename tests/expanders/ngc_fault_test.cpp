@@ -58,6 +58,16 @@ const FaultExample kNgcFaultExamples[] = {
     {"arc-words-need-code", "G2 X4 I2 F9\nI1\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
     {"unused-word-passed", "G0 X1 I2\n", "1 rapid x=1\n"},
     {"unused-alone-passed", "I2\nG0 X1\n", "2 rapid x=1\n"},
+    {"polar-clockwise", "G0 @5 ^90\n", "1 rapid x=0 y=-5\n"},
+    // The second ^90 leads to where the tool stands, which is no motion.
+    {"polar-absolute", "G0 @5 ^0\nG91 ^90\n^90\n", "1 rapid x=5 y=0\n2 rapid x=0 y=5\n"},
+    {"polar-angle-needed", "G0 X3 Y4\n@10\n", "1 rapid x=3 y=4\n2 rapid x=10 y=0\n"},
+    {"polar-inch-unscaled", "G20\nG0 @2 ^0\n", "2 rapid x=2 y=0\n"},
+    {"polar-beside-x-passed", "G0 @5 ^90 X1\n", "1 rapid x=0 y=5\n"},
+    {"polar-origin-passed", "G91 G0 @5 ^90\n", "1 rapid x=0 y=5\n"},
+    {"polar-row-in-place", "F9 G0 X10\nG91 G99 G81 ^90 L2 R0 Z-1\n",
+     "1 rapid x=10\n2 rapid x=0 y=10\n2 feed z=-1 f=9\n2 rapid z=0\n2 feed z=-1 f=9\n"
+     "2 rapid z=0\n"},
     {"blanks-end-numbers", "G0 X1\nX 1 5\n", "1 rapid x=1\nalarm syntax in 2\n"},
     {"open-line-numbers", "N1. G0 X1\n", "1 rapid x=1\n"},
     {"name-ends-program", "G0 X1\nO2\nX2\n", "1 rapid x=1\n"},

@@ -108,8 +108,8 @@ TEST(NgcText, WhatCannotBeRead) {
 
 TEST(NgcText, OutsideConstructs) {
   for (const char* text : {"O100 sub", "o<name> call", "O1 X2", "N1 O1", "(a) O1", "#1=5", "#<a>=1",
-                           "X#1", "X-#<a>", "X [1+2]", "G0 @1 ^-2", "X1 ^#1", "G33 Z1 $ 1",
-                           "xsin[30]", "N5 O2 if [1]", "N9 #2=1", "[1]", "X1 Y#2"}) {
+                           "X#1", "X-#<a>", "X [1+2]", "@[1+2]", "X1 ^#1", "G33 Z1 $ 1", "xsin[30]",
+                           "N5 O2 if [1]", "N9 #2=1", "[1]", "X1 Y#2"}) {
     const Outcome outcome = run_ngc("G0 Z1\n"s + text + "\n");
     EXPECT_EQ(outcome.answer, GONOGO_UNSUPPORTED) << text;
     EXPECT_EQ(outcome.motions(), "rapid z=1\n") << text;
@@ -140,10 +140,10 @@ TEST(NgcSubject, DescribesItself) {
   const gonogo_text text = find("ngc")->describe();
   const auto json = nlohmann::json::parse(text.data, text.data + text.size);
   const std::vector<std::string> features = {
-      "basic", "arc",   "arc-r", "planes",      "helix",       "arc-distance",
-      "turns", "lines", "g81",   "g73",         "g83",         "g84",
-      "g74",   "g85",   "g86",   "cycle-modal", "cycle-steps", "cycle-planes",
-      "g33",   "g33.1", "g76",   "rotary",      "feed-modes",  "linuxcnc"};
+      "basic",  "arc",         "arc-r",       "planes",       "helix", "arc-distance", "turns",
+      "lines",  "g81",         "g73",         "g83",          "g84",   "g74",          "g85",
+      "g86",    "cycle-modal", "cycle-steps", "cycle-planes", "g33",   "g33.1",        "g76",
+      "rotary", "feed-modes",  "linuxcnc",    "polar-words"};
   EXPECT_EQ(json["dialects"]["rs274"], features);
 }
 
