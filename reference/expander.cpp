@@ -112,6 +112,16 @@ bool Expander::next_line() {
 }
 
 const Item* Expander::next() {
+  if (undecided_) throw *undecided_;
+  try {
+    return produce();
+  } catch (const exact::Undecided& undecided) {
+    undecided_ = undecided;
+    throw;
+  }
+}
+
+const Item* Expander::produce() {
   while (!ended_) {
     if (next_item_ < out_.items.size()) return &out_.items[next_item_++];
     if (const Item* item = out_.cycle.next()) {

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "grammar/line_source.hpp"
@@ -117,7 +118,8 @@ class Expander {
   ~Expander();
 
   // The next item, valid until the next call. The last one is an `end` record, an AlarmReport or a
-  // NotCovered; then null.
+  // NotCovered; then null. Where exact::Undecided was thrown there is no next one: it is thrown
+  // again.
   const Item* next();
 
   // After an item whose path is open (ThreadMilling): where the subject's own path ended. Blocks
@@ -161,6 +163,7 @@ class Expander {
   std::string failed_words() const;
 
  private:
+  const Item* produce();
   const Item* finish(Item item);
   void leave_out_of_range();
   bool next_line();
@@ -182,6 +185,7 @@ class Expander {
   Item last_;
   bool text_ended_ = false;
   bool ended_ = false;
+  std::optional<exact::Undecided> undecided_;
 };
 
 }  // namespace gonogo::reference

@@ -164,6 +164,18 @@ TEST(PathJudge, WithoutLineNumbersATraverseMayGoOnPastWhatIsCovered) {
   EXPECT_EQ(decision(to(-1)), Decision::no_go);
 }
 
+// Half a turn by its radius: whether the chord is twice 10 hangs on more than any enclosure tells,
+// and no block behind is the next one.
+TEST(PathJudge, WhatCannotBeDecidedIsNotTheEnd) {
+  constexpr std::string_view kProgram =
+      "#1=[10*cos[33]]\n#2=[10*sin[33]]\nG0 X#1 Y#2\nG3 X[-#1] Y[-#2] R10 F9\nM2\n";
+  TraceText trace(3);
+  trace.rapid({{'x', 8.3867}, {'y', 5.4464}}).block(4, 9);
+  trace.arc("G17", {{'x', 0}, {'y', 0}}, 1, {{'x', -8.3867}, {'y', -5.4464}});
+  EXPECT_EQ(judge_trace(kProgram, trace.text(), {.dialect = "rs274"}).kind,
+            VerdictKind::oracle_gap);
+}
+
 // R4. X and Z go to their ends one after the other, and Z on to the end of the next traverse; a
 // traverse of one axis is split where the first one ends.
 TEST(PathJudge, ATraverseOfOneAxisMayGoOnPastACorner) {
