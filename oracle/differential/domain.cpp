@@ -99,12 +99,14 @@ class DomainCheck {
   }
   std::string_view take(const reference::ThreadMilling& thread) {
     at_.reset();
-    if (reaches_far(thread.centre, thread.start_radius)) return "D-DOM-02";
+    const bool is_deep = is_far(thread.r_plane) || is_far(thread.bottom);
+    if (is_deep || reaches_far(thread.centre, thread.start_radius)) return "D-DOM-02";
     return Number(kMostTurns) * thread.lead < abs(thread.travel) ? "D-DOM-06" : "";
   }
   std::string_view take(const reference::HelixPocket& helix) {
     at_.reset();
-    return reaches_far(helix.centre, helix.radius) ? "D-DOM-02" : "";
+    const bool is_deep = is_far(helix.r_plane) || is_far(helix.bottom);
+    return is_deep || reaches_far(helix.centre, helix.radius) ? "D-DOM-02" : "";
   }
   std::string_view take(const reference::Renaming& renaming) {
     if (!at_) return {};
@@ -115,9 +117,9 @@ class DomainCheck {
   std::string_view take(const reference::NotCovered&) { return {}; }
 
  private:
+  static bool is_far(const Number& place) { return std::fabs(approximate(place)) > kFarthest; }
   static bool is_far(const Position& place) {
-    return std::ranges::any_of(
-        kAllAxes, [&](Axis axis) { return std::fabs(approximate(place[axis])) > kFarthest; });
+    return std::ranges::any_of(kAllAxes, [&](Axis axis) { return is_far(place[axis]); });
   }
   // Whether a circle does, which stands for a path that is open.
   static bool reaches_far(const std::array<Number, 2>& centre, const Number& radius) {

@@ -43,7 +43,10 @@ Hunt hunt_of(std::int64_t from, bool everywhere) {
 
 TEST(HuntDomain, ADepartureBeyondTenMetresIsCountedAndNotTold) {
   Hunt hunt = hunt_of(10'001, false);
-  while (hunt.count().programs < 2'000) EXPECT_FALSE(hunt.step().has_value());
+  while (hunt.count().programs < 2'000) {
+    const std::optional<Finding> found = hunt.step();
+    EXPECT_FALSE(found.has_value()) << found->reproducer.program.text << found->verdict.message;
+  }
   EXPECT_GT(hunt.count().outside, 0U);
   EXPECT_EQ(hunt.count().no_go, 0U);
 }

@@ -39,10 +39,13 @@ TEST(Domain, ReachesTenMetres) {
   EXPECT_EQ(outside_840d("G2 X10001"), "");  // an alarm, and nothing moves
 }
 
-// D-DOM-02: an external thread begins at E/2 + D, 9,985 + 15 mm from its centre.
+// D-DOM-02: an external thread begins at E/2 + D, 9,985 + 15 mm from its centre, and ends on its
+// bottom.
 TEST(Domain, ReachesTenMetresWithCirclesToo) {
   EXPECT_EQ(outside("gsk988ta", "G17 G114 X0 Y0 Z-9 I3 E19970 P2 D15 F100 J1 K90"), "");
   EXPECT_EQ(outside("gsk988ta", "G17 G114 X0 Y0 Z-9 I3 E19970 P2 D15.001 F100 J1 K90"), "D-DOM-02");
+  EXPECT_EQ(outside("gsk988ta", "G17 G114 X0 Y0 Z-10000 I3 E30 P2 D3 F100 J1 K90"), "");
+  EXPECT_EQ(outside("gsk988ta", "G17 G114 X0 Y0 Z-10000.001 I3 E30 P2 D3 F100 J1 K90"), "D-DOM-02");
   EXPECT_EQ(outside("gsk988ta", "G17 G110 X0 Y9900 Z-9 R0 I105 D5 L4 Q9 F100"), "");
   EXPECT_EQ(outside("gsk988ta", "G17 G110 X0 Y9900 Z-9 R0 I105.001 D5 L4 Q9 F100"), "D-DOM-02");
 }
