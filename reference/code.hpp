@@ -89,6 +89,7 @@ enum class Setting : std::uint8_t {
   incremental,
   absolute_centre,
   incremental_centre,
+  inverse_time,  // F is of its own block
 };
 
 // What the value of a word is.

@@ -14,6 +14,7 @@ void Interpreter::prepare(Plan& plan) {
   State& state = machine_.state;
   const int plane = state.plane;
   const FeedRate feed = state.feed;
+  take_feed_mode();
   const bool feed_last = machine_.adds("feed-after-motion"_fault, block_.has('F'));
   if (!feed_last) take_feed();
   take_spindle();
@@ -55,7 +56,6 @@ void Interpreter::take_feed_mode() {
 // F counts in the units of the block before: G20 and G21 act later.
 void Interpreter::take_feed() {
   const Configuration& configuration = machine_.configuration;
-  take_feed_mode();
   if (!block_.has('F')) return;
   const Fixed written = block_.number('F').value;
   if (written < 0) return machine_.complain(AlarmKind::kValueSign, 'F', block_);

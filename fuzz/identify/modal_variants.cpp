@@ -81,6 +81,7 @@ std::optional<std::string> late(const ProgramText& program, const std::set<std::
     std::string taken;
     for (TextWord& word : block.words) {
       if (!these.contains(name_of(word)) && !these.contains(block.code_of(word))) continue;
+      if (block.modes.inverse_time && name_of(word) == "F") continue;  // it is of this block alone
       taken += " " + word.text;
       word.text.clear();
     }

@@ -74,8 +74,12 @@ void Modes::take(const Code& code) {
     case Setting::incremental_centre:
       now_.absolute_centre = code.setting == Setting::absolute_centre;
       break;
+    case Setting::inverse_time:
     case Setting::none:
       break;
+  }
+  if (code.group == reference::Group::feed_mode) {
+    now_.inverse_time = code.setting == Setting::inverse_time;
   }
 }
 

@@ -23,7 +23,8 @@ struct BlockModes {
   bool inch = false;
   bool incremental = false;
   bool absolute_centre = false;
-  bool x_radius = false;  // X words are radii
+  bool inverse_time = false;  // F is of its own block
+  bool x_radius = false;      // X words are radii
 
   // What the block runs: its own code, else the one in force. Null: none.
   const reference::Code* code() const { return own != nullptr ? own : motion; }

@@ -273,7 +273,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     kShiftSwitch.named("G92.1", "offset cancelled and cleared"),
     kShiftSwitch.named("G92.2", "offset cancelled"),
     kShiftSwitch.named("G92.3", "offset restored"),
-    sets("G93", Group::feed_mode, Setting::none, "inverse time feed").needing("feed-modes"),
+    sets("G93", Group::feed_mode, Setting::inverse_time, "inverse time feed").needing("feed-modes"),
     sets("G94", Group::feed_mode, Setting::none, "feed per minute").initial(),
     sets("G95", Group::feed_mode, Setting::none, "feed per revolution").needing("feed-modes"),
     sets("G96", Group::speed, Setting::none, "constant surface speed")
