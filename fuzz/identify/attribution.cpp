@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = 4'000;
 constexpr std::size_t kMostPartial = 10;
-constexpr std::size_t kEnough = 8;  // departures: what explains none of them explains few others
+constexpr std::size_t kTriedFirst = 8;  // departures: what explains none of them explains few others
 constexpr std::size_t kMostTried = 12;  // mistakes on further programs, except equals
 
 class Attributor {
@@ -73,7 +73,7 @@ void Attributor::try_variant(const Variant& variant) {
   Cause cause{variant.name, 0, 0, 0, variant.opposite, variant.is_misread, found_.tried};
   std::size_t tried = 0;
   for (const Observation& seen : found_.programs) {
-    if (seen.departs() && ++tried > kEnough && cause.departures == 0) return;
+    if (seen.departs() && ++tried > kTriedFirst && cause.departures == 0) return;
     if (seen.departs()) count(variant, seen, cause);
   }
   if (cause.departures == 0) return;

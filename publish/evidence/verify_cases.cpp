@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -26,6 +27,30 @@ constexpr const char* kFromTrace = "from its trace";
 constexpr const char* kFromLine = "from what its line holds";
 constexpr const char* kFromCorpus = "from the corpus, which expects no answer";
 constexpr const char* kFromHeader = "from what the subject declares";
+
+// What a line of format 2 may hold.
+constexpr std::array<std::string_view, 34> kKeys{
+    "id",          "dialect",   "cycle",   "features", "clauses", "verdict",   "property_motions",
+    "coordinates", "departure", "rule",    "gap",      "clause",  "basis",     "reading",
+    "b",           "record",    "word",    "want",     "got",     "deviation", "witness",
+    "feature",     "message",   "known",   "expected", "mapped",  "readings",  "us",
+    "attempts",    "profile",   "program", "sampled",  "trace",   "notes"};
+
+// Why no run has written the line so; empty: one may have.
+std::string form_fault(const Json& line, const std::string& id) {
+  for (const auto& [key, value] : line.items()) {
+    if (std::ranges::find(kKeys, key) == kKeys.end()) {
+      return fmt::format("{}: a line has no key {}.", id, key);
+    }
+  }
+  const auto is_count = [&](const char* key, std::int64_t least) {
+    const auto value = line.find(key);
+    return value == line.end() || (value->is_number_integer() && *value >= least);
+  };
+  if (!is_count("us", 0)) return fmt::format("{}: us is no count of microseconds.", id);
+  if (!is_count("attempts", 1)) return fmt::format("{}: attempts is no count of runs.", id);
+  return {};
+}
 
 // As it was before the readings of the run were reconciled.
 VerdictKind kind_before(const Json& line) {
@@ -116,7 +141,8 @@ std::string trace_fault(const Json& line, const CaseRow& row, const SessionVerdi
 
 VerdictsAgain::VerdictsAgain(const Json& header, std::string traces,
                              std::vector<KnownFailure> waivers)
-    : tolerances_(run_tolerances(header)),
+    : is_format_2_(report::count_of(header, "format") == 2),
+      tolerances_(run_tolerances(header)),
       traces_(std::move(traces)),
       waivers_(std::move(waivers)) {}
 
@@ -133,6 +159,9 @@ void VerdictsAgain::take(const Json& line, const Case* test) {
 
 VerdictsAgain::Answer VerdictsAgain::answer_of(const Json& line, const CaseRow& row,
                                                const Case* test) {
+  if (std::string fault = is_format_2_ ? form_fault(line, row.id) : ""; !fault.empty()) {
+    return {fault, {}};
+  }
   if (std::string fault = waiver_fault(line, row); !fault.empty()) return {fault, {}};
   if (test != nullptr) {
     const bool is_skip = row.kind == VerdictKind::skip;

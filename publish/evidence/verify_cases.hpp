@@ -17,8 +17,8 @@ namespace gonogo::oracle::evidence {
 
 class VerdictsAgain {
  public:
-  // `traces`: folder with `<id>.jsonl` of the cases; there may be none. `waivers`: the known failures
-  // of the run.
+  // `traces`: folder with `<id>.jsonl` of the cases; there may be none. `waivers`: the known
+  // failures of the run.
   VerdictsAgain(const Json& header, std::string traces, std::vector<KnownFailure> waivers);
   // `test`: as the corpus and the header have it; null: there is no corpus here.
   void take(const Json& line, const Case* test);
@@ -36,6 +36,7 @@ class VerdictsAgain {
   std::string waiver_fault(const Json& line, const CaseRow& row) const;
   std::string path_of(const std::string& id) const;
 
+  bool is_format_2_;
   RunTolerances tolerances_;
   std::string traces_;
   std::vector<KnownFailure> waivers_;
