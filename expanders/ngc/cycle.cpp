@@ -215,7 +215,7 @@ void CycleBlock::take_places() {
     const char address = kAxisAddress[axis];
     const Fixed tool = state_.position[axis];
     const bool written = block_.has(address);
-    const Fixed length = written ? length_of(machine_, block_, address) : 0;
+    const Fixed length = written ? length_along(machine_, block_, axis) : 0;
     if (state_.incremental) {
       const Fixed step =
           written ? length

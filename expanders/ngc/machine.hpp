@@ -55,6 +55,8 @@ Point commanded_point(Machine& machine, const Block& block, Axes& axes);
 Fixed length_of(const Machine& machine, Fixed number);
 /// The length of `address`; the word must be there.
 Fixed length_of(const Machine& machine, const Block& block, char address);
+/// The length that the word of `axis` moves it by or to; the word must be there.
+Fixed length_along(const Machine& machine, const Block& block, std::size_t axis);
 
 /// `place`; complains about `address` and gives 0 when it is out of reach.
 Fixed reached(Machine& machine, const Block& block, Wide place, char address);

@@ -162,9 +162,8 @@ void Interpreter::take_retract() {
 
 void Interpreter::remember_steps() {
   for (std::size_t axis = 0; axis < GONOGO_AXES; ++axis) {
-    const char address = kAxisAddress[axis];
-    if (!block_.has(address)) continue;
-    machine_.state.leftovers.steps[axis] = length_of(machine_, block_, address);
+    if (!block_.has(kAxisAddress[axis])) continue;
+    machine_.state.leftovers.steps[axis] = length_along(machine_, block_, axis);
   }
 }
 

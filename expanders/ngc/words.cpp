@@ -11,9 +11,7 @@ Point commanded_point(Machine& machine, const Block& block, Axes& axes) {
     const char address = kAxisAddress[axis];
     if (!block.has(address)) continue;
     axes |= axis_bit(axis);
-    Fixed length = length_of(machine, block, address);
-    // NGC-DIA-01
-    if (axis == GONOGO_X && machine.spares("x-never-halved"_fault, state.diameter)) length /= 2;
+    const Fixed length = length_along(machine, block, axis);
     const Fixed degrees = block.number(address).value;
     const bool linear = (kLinearAxes & axis_bit(axis)) != 0;
     Wide place = linear ? length : machine.alters("inch-rotary-scaled"_fault, degrees, length);
@@ -33,6 +31,14 @@ Fixed length_of(const Machine& machine, Fixed number) {
 
 Fixed length_of(const Machine& machine, const Block& block, char address) {
   return length_of(machine, block.number(address).value);
+}
+
+// NGC-DIA-01
+Fixed length_along(const Machine& machine, const Block& block, std::size_t axis) {
+  const Fixed length = length_of(machine, block, kAxisAddress[axis]);
+  const bool halves =
+      axis == GONOGO_X && machine.spares("x-never-halved"_fault, machine.state.diameter);
+  return halves ? length / 2 : length;
 }
 
 Fixed reached(Machine& machine, const Block& block, Wide place, char address) {

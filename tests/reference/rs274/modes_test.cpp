@@ -96,6 +96,12 @@ TEST(NgcModes, UnderG7XIsADiameter) {
   }
 }
 
+// A fuzzer's program, on which an expander took X1 of the repeat for a radius.
+TEST(NgcModes, UnderG7XOfARepeatedCycleIsADiameter) {
+  EXPECT_EQ(path("G18 G83 Q1 R0 Y0 F1\nG7 G81 R0 Y0\nX1\nG8\nX1"),
+            (Lines{"rapid x0.5 z0", "rapid x1 z0"}));
+}
+
 // The documents list what M70 saves.
 TEST(NgcModes, M72RestoresWhatM70Saved) {
   EXPECT_EQ(path("F9 G1 M70\nG91 G20 G18 F5 G55\nM72\nG3 X2 I1", ngc()),
