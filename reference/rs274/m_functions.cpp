@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "reference/clause_literal.hpp"
+#include "reference/compared.hpp"
 #include "reference/reading_literal.hpp"
 #include "reference/rs274/codes.hpp"
 #include "reference/rs274/whole.hpp"
@@ -165,7 +166,9 @@ class SignalWords {
   void need_index(char address) {
     need(address);
     if (!is_negative(address)) return;
-    add(AlarmClass::value_sign, address, fmt::format("{} of {} is below zero.", address, name()));
+    add(AlarmClass::value_sign, address,
+        with_values(fmt::format("{} of {} is {{}}, below zero.", address, name()),
+                    {words_.written(address)}));
     add_missing(address);
   }
   void check_input();
@@ -197,11 +200,13 @@ void SignalWords::check_input() {
   }
   need_index(words_.has('E') ? 'E' : 'P');
   if (is_negative('L')) {
-    return add(AlarmClass::value_sign, 'L', "L of M66 is below zero.");
+    return add(AlarmClass::value_sign, 'L',
+               with_values("L of M66 is {}, below zero.", {words_.written('L')}));
   }
   const NearWhole mode(words_.has('L') ? words_.written('L') : Number(0));
   if (!mode.counts_as_whole(Whole::m_function, readings_)) {
-    return add(AlarmClass::not_an_integer, 'L', "L of M66 is not whole.");
+    return add(AlarmClass::not_an_integer, 'L',
+               with_values("L of M66 is {} and not whole.", {words_.written('L')}));
   }
   if (mode.nearest().sign() != 0) check_wait();
 }
@@ -214,8 +219,9 @@ void SignalWords::check_wait() {
   }
   need('Q');
   if (!words_.has('Q') || words_.written('Q').sign() > 0) return;
-  add(AlarmClass::value_sign, 'Q', "The longest wait is not above zero.");
-  if (!is_negative('Q')) add(AlarmClass::value_out_of_range, 'Q', "The longest wait is zero.");
+  add(AlarmClass::value_sign, 'Q',
+      with_values("The longest wait, {} s, is not above zero.", {words_.written('Q')}));
+  if (!is_negative('Q')) add(AlarmClass::value_out_of_range, 'Q', "The longest wait is 0 s.");
 }
 
 }  // namespace
