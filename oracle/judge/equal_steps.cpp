@@ -4,8 +4,8 @@
 // are the reference's own, and none is so small that it could be negligible, each of them is the
 // whole of a step by every rule: it is enough to compare the records. The first that is anything
 // else goes the whole way.
-#include "oracle/judge/program_judge.hpp"
 #include "oracle/motion/plain_line.hpp"
+#include "oracle/judge/program_judge.hpp"
 
 namespace gonogo::oracle {
 
@@ -31,16 +31,6 @@ bool ProgramJudge::equal_record(const Record& record) {
   }
   go_on();
   return true;
-}
-
-std::size_t ProgramJudge::take_own(std::size_t items) {
-  std::size_t taken = 0;
-  if (!in_step_ && !fall_into_step()) return taken;
-  for (; taken < items && plain_ahead(); ++taken) {
-    ++records_;
-    go_on();
-  }
-  return taken;
 }
 
 // The two sides stand at one place, with nothing begun or waiting.

@@ -73,29 +73,26 @@ JudgeSession::JudgeSession(const Profile& profile, const ProgramText& program,
       stands_(profile.initial.at) {
   AssignmentSet all(profile);
   if (all.leaves_open()) taken_.emplace();
-  add_fork(std::move(all));
-  if (!taken_) alive_.front()->judge.watched().stop_watching();
+  Fork& first = add_fork(std::move(all));
+  if (!taken_) first.judge.watched().stop_watching();
 }
 
 JudgeSession::~JudgeSession() = default;
 
 // J-READ-01.
-void JudgeSession::add_fork(AssignmentSet set, std::size_t known) {
+JudgeSession::Fork& JudgeSession::add_fork(AssignmentSet set) {
   Fork& fork = *alive_.emplace_back(
       std::make_unique<Fork>(profile_, program_, tolerances_, std::move(set), forking_));
-  if (!taken_) return;
-  const std::size_t taken = known == 0 ? 0 : fork.judge.take_own(known);
-  taken_->replay(
-      program_, [&](const Record& record) { return fork.judge.record(record); }, taken);
+  if (taken_) {
+    taken_->replay(program_, [&](const Record& record) { return fork.judge.record(record); });
+  }
+  return fork;
 }
 
-// What came before the item by which they part is the same on each side.
-void JudgeSession::part(Fork& fork, bool behind_records) {
-  std::size_t known = taken_ ? taken_->own_at_beginning() : 0;
-  if (known != 0 && !behind_records) --known;
+void JudgeSession::part(Fork& fork) {
   for (const auto& [key, value] : fork.judge.watched().take_parted()) {
     open_.insert(key);
-    add_fork(fork.set.with(key, value), known);
+    add_fork(fork.set.with(key, value));
     fork.set.leave_out(key, value);
   }
 }
@@ -122,7 +119,7 @@ void JudgeSession::bury(Fork& fork) {
   SampledVerdict said{fork.judge.finish(RunEnd{}), 0};
   said.progress = fork.judge.progress();
   most_others_ = std::max(most_others_, fork.judge.watched().others());
-  if (consider(std::move(said))) surplus_ = fork.judge.surplus();
+  consider(std::move(said));
   try_lengths(fork);
 }
 
@@ -150,20 +147,13 @@ void JudgeSession::try_length(const Fork& fork, ReadingKey key, const Number& le
 }
 
 // Keeps what came farther; else what took more records; else what came first.
-bool JudgeSession::consider(SampledVerdict said) {
+void JudgeSession::consider(SampledVerdict said) {
   if (decision(said.verdict.kind) == Decision::no_go) departures_.push_back(said);
   const bool is_later = records_ > best_records_;
-  if (best_ && !outranks(said, *best_) && (!is_later || outranks(*best_, said))) return false;
-  best_ = std::move(said);
-  best_records_ = records_;
-  return true;
-}
-
-void JudgeSession::look_for_surplus(const Record& record) {
-  if (surplus_ && surplus_->is_shown_by(record, tolerances_)) {
-    best_->verdict.block = surplus_->block;
+  if (!best_ || outranks(said, *best_) || (is_later && !outranks(*best_, said))) {
+    best_ = std::move(said);
+    best_records_ = records_;
   }
-  surplus_.reset();
 }
 
 namespace {
@@ -225,7 +215,6 @@ void JudgeSession::stop_forking() {
 }
 
 bool JudgeSession::record(const Record& record) {
-  look_for_surplus(record);
   if (alive_.empty()) return false;
   ++records_;
   last_block_ = record.block;
@@ -244,11 +233,11 @@ bool JudgeSession::record(const Record& record) {
   }
   if (!settled) settle_forks();
   if (taken_ && taken_->parts() > kMostParts && !alive_.empty()) stop_forking();
-  return !alive_.empty() || surplus_.has_value();
+  return !alive_.empty();
 }
 
 bool JudgeSession::line(std::string_view line) {
-  if (alive_.size() != 1 || surplus_) return false;
+  if (alive_.size() != 1) return false;
   Fork& fork = *alive_.front();
   if (!taken_) return fork.judge.line(line);
   // Else it has to be kept as a record.
@@ -303,7 +292,7 @@ void JudgeSession::finish_forks(const RunEnd& end) {
     Fork& fork = *alive_[i];
     SampledVerdict said{fork.judge.finish(end), 0};
     said.progress = fork.judge.progress();
-    part(fork, true);
+    part(fork);
     most_others_ = std::max(most_others_, fork.judge.watched().others());
     if (decision(said.verdict.kind) == Decision::go) {
       for (const ReadingKey key : open_lengths(fork.set, fork.judge.readings())) {

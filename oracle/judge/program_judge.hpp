@@ -32,9 +32,6 @@ class ProgramJudge {
   // Its next record as a line of JSON, where that is how the reference writes its own and nothing
   // more has to be looked at: true when that was all. Else call `record`.
   bool line(std::string_view line);
-  // The subject's next records are as many items of this reference, as another judge has seen.
-  // How many of them were taken so: the rest have to be given as records.
-  std::size_t take_own(std::size_t items);
   // The subject's end; the verdict.
   Verdict finish(const RunEnd& end);
 

@@ -333,10 +333,19 @@ std::optional<Motion> as_arc(const Motion& arc3) {
 
 namespace {
 
+// What is known to an enclosure's width alone is the same where the enclosures are.
+bool is_known_alike(const Number& a, const Number& b) {
+  const auto is_enclosed = [](const Number& x) { return x.form() == Number::Form::enclosure; };
+  if (!is_enclosed(a) && !is_enclosed(b)) return a == b;
+  return is_enclosed(a) && is_enclosed(b) && a.bounds(kSignBits) == b.bounds(kSignBits);
+}
+
 bool same_terms(const Record& a, const Record& b) {
   if (a.kind != b.kind || a.block != b.block) return false;
-  if (a.kind == RecordKind::thread) return a.lead == b.lead && a.start == b.start;
-  return a.kind == RecordKind::rapid || (a.feed == b.feed && a.feed_mode == b.feed_mode);
+  if (a.kind == RecordKind::thread)
+    return is_known_alike(a.lead, b.lead) && is_known_alike(a.start, b.start);
+  return a.kind == RecordKind::rapid ||
+         (is_known_alike(a.feed, b.feed) && a.feed_mode == b.feed_mode);
 }
 
 // The one axis that moves, and its direction; nothing when it is not one.
@@ -433,7 +442,8 @@ std::optional<std::int32_t> joined_rot(const Motion& a, const Motion& b) {
 }  // namespace
 
 bool join(Motion& motion, const Motion& next) {
-  if (!same_terms(motion.record, next.record) || motion.to() != next.from) return false;
+  if (!same_terms(motion.record, next.record)) return false;
+  if (!std::ranges::equal(motion.to().at, next.from.at, is_known_alike)) return false;
   switch (motion.record.kind) {
     case RecordKind::rapid: {
       const auto a = single_direction(motion);

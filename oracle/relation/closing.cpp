@@ -115,6 +115,29 @@ Answer Correspondence::at_place(const Place& place, VerdictKind kind, Rule rule,
   return answer;
 }
 
+// R6: an M function may be missing where its block alarms behind it.
+void Correspondence::leave_out_of_alarm(const Place& place) {
+  ReferenceSide& sides = reference(place);
+  const Record& want = sides.at(place.i).source();
+  std::size_t i = place.i;
+  while (sides.at(i).part == Part::stop && sides.at(i).source().block == want.block) ++i;
+  if (want.kind != RecordKind::m || sides.at(i).part != Part::close) return;
+  const auto* report = std::get_if<AlarmReport>(&*sides.at(i).item);
+  if (report == nullptr || report->block != want.block) return;
+  Place next = place;
+  ++next.i;
+  reach_corner(next);
+}
+
+// R6: the M functions that have not come are of the block that alarms, or there are none.
+bool Correspondence::is_due_of_block(const Place& place, std::uint64_t block) {
+  ReferenceSide& sides = reference(place);
+  for (std::size_t m = place.m; m < sides.m_functions(place.i); ++m) {
+    if (sides.m_block(m) != block) return false;
+  }
+  return true;
+}
+
 void Correspondence::close(const Place& place) {
   const Event& want = reference(place).at(place.i);
   const Event& got = subject(place).at(place.j);
@@ -127,10 +150,11 @@ void Correspondence::close(const Place& place) {
                                                             : GapReason::not_covered;
       return offer(std::move(gap));
     }
-    if (place.m == reference(place).m_functions(place.i)) {
-      if (const auto* report = std::get_if<AlarmReport>(&*want.item)) {
-        return close_at_alarm(place, *report);
-      }
+    const auto* report = std::get_if<AlarmReport>(&*want.item);
+    if (report != nullptr && is_due_of_block(place, report->block)) {
+      return close_at_alarm(place, *report);
+    }
+    if (report == nullptr && place.m == reference(place).m_functions(place.i)) {
       if (got.part != Part::close || got.item != nullptr || outcome_.alarm == nullptr) {
         return close_at_end(place, want.source());
       }

@@ -171,6 +171,7 @@ void Correspondence::expand(const Place& place, const Reached& reached) {
   if (is_outside) return close(place);
   if (!is_corner) return;
   if (got.part == Part::stop) match_stop(place);
+  if (want.part == Part::stop && got.part == Part::close) leave_out_of_alarm(place);
   if (want.part == Part::renaming) rename(place);
   if (want.part == Part::free_step) take_free_step(place);
   if (want.part == Part::close || got.part == Part::close) close(place);

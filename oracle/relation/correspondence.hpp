@@ -86,6 +86,8 @@ class Correspondence {
   void close_at_end(const Place& place, const reference::Record& end);
   void close_at_alarm(const Place& place, const reference::AlarmReport& report);
   bool is_of_alarm(const Place& place, const reference::AlarmReport& report);
+  void leave_out_of_alarm(const Place& place);
+  bool is_due_of_block(const Place& place, std::uint64_t block);
   void close_by_alarm(const Place& place);
   bool is_alarm_at_load();
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/steps/record_log.hpp"
 
-#include <utility>
-
-#include "oracle/region/constants.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
@@ -14,16 +11,11 @@ void RecordLog::add_own(const std::shared_ptr<const reference::Profile>& profile
                         const Record* named) {
   Run* run = parts_.empty() ? nullptr : std::get_if<Run>(&parts_.back());
   if (run == nullptr || run->last + 1 != item || run->profile != profile) {
-    run = &std::get<Run>(parts_.emplace_back(Run{profile, item, item, std::nullopt, {}}));
+    run = &std::get<Run>(parts_.emplace_back(Run{profile, item, item, std::nullopt}));
   }
   run->last = item;
   run->named.reset();
-  if (named == nullptr) return;
-  run->named = *named;
-  if (kept_ < kMostParts && run->first + run->kept.size() == item) {
-    run->kept.push_back(*named);
-    ++kept_;
-  }
+  if (named != nullptr) run->named = *named;
 }
 
 namespace {
@@ -52,13 +44,8 @@ class Items {
 
 }  // namespace
 
-std::size_t RecordLog::own_at_beginning() const {
-  const Run* first = parts_.empty() ? nullptr : std::get_if<Run>(&parts_.front());
-  return first != nullptr && first->first == 1 ? first->last : 0;
-}
-
-void RecordLog::replay(const ProgramText& program, const std::function<bool(const Record&)>& take,
-                       std::size_t from) const {
+void RecordLog::replay(const ProgramText& program,
+                       const std::function<bool(const Record&)>& take) const {
   std::optional<Items> items;
   for (const auto& part : parts_) {
     if (const Record* record = std::get_if<Record>(&part)) {
@@ -66,17 +53,11 @@ void RecordLog::replay(const ProgramText& program, const std::function<bool(cons
       continue;
     }
     const Run& run = std::get<Run>(part);
-    const auto own = [&](std::size_t item) -> const Record& {
-      if (item - run.first < run.kept.size()) return run.kept[item - run.first];
-      if (!items || items->profile() != run.profile.get()) items.emplace(run.profile, program);
-      return items->record(item);
-    };
-    const std::size_t left_out = std::exchange(from, 0);
-    if (left_out >= run.last) continue;
-    for (std::size_t i = run.first + left_out; i < run.last; ++i) {
-      if (!take(own(i))) return;
+    if (!items || items->profile() != run.profile.get()) items.emplace(run.profile, program);
+    for (std::size_t i = run.first; i < run.last; ++i) {
+      if (!take(items->record(i))) return;
     }
-    Record last = run.named ? *run.named : own(run.last);
+    Record last = run.named ? *run.named : items->record(run.last);
     if (!run.named) last.clause = reference::kNoClause;
     if (!take(last)) return;
   }

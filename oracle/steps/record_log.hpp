@@ -15,8 +15,8 @@
 
 namespace gonogo::oracle {
 
-// Records in their order. Behind the first ones, those that are the reference's own take no memory:
-// it is asked for them again.
+// Records in their order. Those that are the reference's own take no memory: it is asked for them
+// again.
 class RecordLog {
  public:
   void add(const reference::Record& record) { parts_.emplace_back(record); }
@@ -28,11 +28,9 @@ class RecordLog {
   // What takes memory: records of others, and runs of the reference's own.
   std::size_t parts() const { return parts_.size(); }
 
-  // How many records at the beginning are the first items of the reference, one for each.
-  std::size_t own_at_beginning() const;
-  // Hands them out until `take` says false; `from`: without so many of own_at_beginning().
-  void replay(const ProgramText& program, const std::function<bool(const reference::Record&)>& take,
-              std::size_t from = 0) const;
+  // Hands them out until `take` says false.
+  void replay(const ProgramText& program,
+              const std::function<bool(const reference::Record&)>& take) const;
 
  private:
   // Items one behind the other. Only of the last does it matter how the subject put it.
@@ -41,10 +39,8 @@ class RecordLog {
     std::size_t first;
     std::size_t last;
     std::optional<reference::Record> named;
-    std::vector<reference::Record> kept;  // the first of them
   };
   std::vector<std::variant<Run, reference::Record>> parts_;
-  std::size_t kept_ = 0;  // by all runs
 };
 
 }  // namespace gonogo::oracle

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "flat_path.hpp"
 #include "open_parts.hpp"
@@ -41,6 +42,7 @@ class OpenPocketMilling : public OpenPart {
     double lowest = top_;
     std::map<std::size_t, std::vector<FlatMotion>> levels;  // cuts by infeed
     std::size_t level = 0;
+    bool is_new = false;  // a traverse has led down, and it mills no level
     double inner = 0;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
       const Stroke& motion = strokes[i];
@@ -56,10 +58,11 @@ class OpenPocketMilling : public OpenPart {
         broken = down(motion, lowest, margin);
         if (!broken.empty()) return broken;
         lowest = to;
-        ++level;
-        levels[level];
+        is_new = true;
+        if (cuts(motion.kind()) && std::exchange(is_new, false)) levels[++level];
       } else if (cuts(motion.kind()) && std::abs(to - lowest) <= margin.place &&
-                 std::abs(motion.from[d_] - to) <= margin.place && level > 0) {
+                 std::abs(motion.from[d_] - to) <= margin.place && (level > 0 || is_new)) {
+        if (std::exchange(is_new, false)) levels[++level];
         const FlatMotion cut = flat(motion);
         if (!has_named_feed(*motion.record) && !pocket_.finishing &&
             engages(cut, levels[level], margin)) {
