@@ -143,6 +143,17 @@ void add_leads(const Motions& motions, Variants& out) {
   }
 }
 
+// With the codes that are named after them: G33.1 of G33.
+Motions with_kin(Motions motions, const reference::Descriptor& table) {
+  const Motions own = motions;
+  for (const reference::Code& code : table.codes) {
+    for (const std::string& name : own) {
+      if (code.name.starts_with(name + ".")) motions.emplace(code.name);
+    }
+  }
+  return motions;
+}
+
 const reference::CodeWord* word_of_angle(const reference::Code& code) {
   for (const auto& list : code.words) {
     for (const reference::CodeWord& word : list) {
@@ -202,11 +213,13 @@ std::optional<ChangedRun> with_turns_kept(const Observation& seen) {
 }  // namespace
 
 void add_way_variants(const Observation& departure, Variants& out) {
-  if (adding_turn(*ProgramText(departure.profile, departure.program).table) != nullptr) {
+  const reference::Descriptor& table = *ProgramText(departure.profile, departure.program).table;
+  if (adding_turn(table) != nullptr) {
     out.push_back({"a translation leaves the rotation in force", with_turns_kept});
   }
   for (const Motions& motions : motions_concerned(departure)) {
     add_leads(motions, out);
+    if (Motions all = with_kin(motions, table); all != motions) add_leads(all, out);
     add_outcome(
         fmt::format("{} ends where its cut began", names_of(motions)),
         [motions](const Observation& seen, KeptOutcome& outcome) {

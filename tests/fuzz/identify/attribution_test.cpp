@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"ngc", "g76-equal-infeed", "ngc.threading.v1-t2f2-s1.000002",
                 "R of G76 is ignored"},
         Planted{"ngc", "g33-lead-along-z", "ngc.threads.000060",
-                "the lead of G33 comes out along Z, not along the longest axis"},
+                "the lead of G33 G33.1 comes out along Z, not along the longest axis"},
         Planted{"ngc", "cr-lf-counted-twice", "ngc.amendments.000144", "CR LF counts as two lines"},
         Planted{"ngc", "g86-without-dwell", "ngc.dwelling.v1-t2f2-s1.000004",
                 "the dwells of G86 are left out"},
