@@ -176,6 +176,19 @@ TEST(FalseNoGo, AFeedThatStaysComesNotBeforeM35) {
   EXPECT_EQ(judge_trace(kClamped, late, with_m).kind, VerdictKind::fail_order);
 }
 
+// Its F of 200 lies in the enclosure; one about 250 is another feed.
+TEST(FalseNoGo, AFeedOfAHelicalPocketMayComeAsAnEnclosure) {
+  const auto enclosed = [](std::string_view low, std::string_view high) {
+    std::string trace = clamped_pocket(kEntryCircle);
+    const std::string feed = R"("z":"6"},"f":"200")";
+    return trace.replace(trace.find(feed), feed.size(),
+                         fmt::format(R"("z":"6"}},"f":{{"enclosure":["{}","{}"]}})", low, high));
+  };
+  decision_of(kClamped, enclosed("199.9999999999999999", "200.0000000000000001"), {.m = true});
+  EXPECT_EQ(judge_trace(kClamped, enclosed("249.9999999999999999", "250"), {.m = true}).kind,
+            VerdictKind::fail_feed);
+}
+
 // An arc3 is one kind with arc: by way of (11, 11), clockwise from (10, 10) to (12, 10); and the
 // other way round, by (11, 9).
 TEST(FalseNoGo, AnArcThroughAPointMayBePartOfAHelicalPocket) {
