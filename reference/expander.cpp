@@ -112,7 +112,7 @@ bool Expander::next_line() {
 }
 
 const Item* Expander::next() {
-  if (undecided_) throw *undecided_;
+  if (undecided_) throw exact::Undecided(*undecided_);
   try {
     return produce();
   } catch (const exact::Undecided& undecided) {

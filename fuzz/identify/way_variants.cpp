@@ -136,8 +136,8 @@ void add_leads(const Motions& motions, Variants& out) {
     add_model(
         fmt::format("the lead of {} comes out along {}, not along the longest axis",
                     names_of(motions), name),
-        [motions, way = way](const Observation& seen, KeptOutcome& model) {
-          return give_leads(seen, model, motions, way);
+        [motions, along = way](const Observation& seen, KeptOutcome& model) {
+          return give_leads(seen, model, motions, along);
         },
         out);
   }
