@@ -59,11 +59,9 @@ Token Tokenizer::next(Word& word) {
   const char c = *cursor_++;
   if (c == '/') return Token::kSkip;
   if (c == '%') return Token::kTapeMark;
-  if (c >= 'A' && c <= 'Z') {
-    word.address = c;
-  } else if (c >= 'a' && c <= 'z') {
+  if (c >= 'a' && c <= 'z') {
     word.address = static_cast<char>(c - 'a' + 'A');
-  } else if (further_.find(c) != std::string_view::npos) {
+  } else if ((c >= 'A' && c <= 'Z') || further_.find(c) != std::string_view::npos) {
     word.address = c;
   } else {
     return Token::kSyntax;
