@@ -119,7 +119,7 @@ void JudgeSession::bury(Fork& fork) {
   SampledVerdict said{fork.judge.finish(RunEnd{}), 0};
   said.progress = fork.judge.progress();
   most_others_ = std::max(most_others_, fork.judge.watched().others());
-  consider(std::move(said));
+  if (consider(std::move(said))) surplus_ = fork.judge.surplus();
   try_lengths(fork);
 }
 
@@ -147,13 +147,20 @@ void JudgeSession::try_length(const Fork& fork, ReadingKey key, const Number& le
 }
 
 // Keeps what came farther; else what took more records; else what came first.
-void JudgeSession::consider(SampledVerdict said) {
+bool JudgeSession::consider(SampledVerdict said) {
   if (decision(said.verdict.kind) == Decision::no_go) departures_.push_back(said);
   const bool is_later = records_ > best_records_;
-  if (!best_ || outranks(said, *best_) || (is_later && !outranks(*best_, said))) {
-    best_ = std::move(said);
-    best_records_ = records_;
+  if (best_ && !outranks(said, *best_) && (!is_later || outranks(*best_, said))) return false;
+  best_ = std::move(said);
+  best_records_ = records_;
+  return true;
+}
+
+void JudgeSession::look_for_surplus(const Record& record) {
+  if (surplus_ && surplus_->is_shown_by(record, tolerances_)) {
+    best_->verdict.block = surplus_->block;
   }
+  surplus_.reset();
 }
 
 namespace {
@@ -215,6 +222,7 @@ void JudgeSession::stop_forking() {
 }
 
 bool JudgeSession::record(const Record& record) {
+  look_for_surplus(record);
   if (alive_.empty()) return false;
   ++records_;
   last_block_ = record.block;
@@ -233,11 +241,11 @@ bool JudgeSession::record(const Record& record) {
   }
   if (!settled) settle_forks();
   if (taken_ && taken_->parts() > kMostParts && !alive_.empty()) stop_forking();
-  return !alive_.empty();
+  return !alive_.empty() || surplus_.has_value();
 }
 
 bool JudgeSession::line(std::string_view line) {
-  if (alive_.size() != 1) return false;
+  if (alive_.size() != 1 || surplus_) return false;
   Fork& fork = *alive_.front();
   if (!taken_) return fork.judge.line(line);
   // Else it has to be kept as a record.

@@ -73,7 +73,10 @@ class JudgeSession {
   void bury(Fork& fork);
   void try_lengths(const Fork& fork);
   void try_length(const Fork& fork, reference::ReadingKey key, const Number& length);
-  void consider(SampledVerdict said);
+  // Whether it is the best so far.
+  bool consider(SampledVerdict said);
+  // A motion that departs may be one too many of an earlier block, which this record shows.
+  void look_for_surplus(const Record& record);
   void finish_forks(const RunEnd& end);
   void finish_sampled(const SampledOutcome& sampled, const RunEnd& end);
   // Where every fork departs: whether readings that make no difference each make one together.
@@ -89,6 +92,7 @@ class JudgeSession {
   std::size_t records_ = 0;  // of the subject, and its end
   std::size_t best_records_ = 0;
   std::optional<SampledVerdict> best_;                // of those that are at their end
+  std::optional<Surplus> surplus_;                    // of the best, until the next record
   std::vector<SampledVerdict> departures_;            // of those, the NO-GO
   std::vector<reference::ReadingChoice> explaining_;  // of those that are GO
   std::set<reference::ReadingKey> open_;              // that made a difference
