@@ -162,6 +162,7 @@ class Alignment {
   // R1: joins the step behind, which may move nothing. False where it does not go on.
   bool join_step(Hypothesis& from);
   bool join_motion(Hypothesis& from);
+  bool join_chords(Hypothesis& from, const Motion& next, Motion& both);
   bool extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer);
   void depart(const Hypothesis& from, const Motion& motion, CurveAnswer answer, Stage& stage);
   bool leads_outside(const Hypothesis& from, const Motion& motion);

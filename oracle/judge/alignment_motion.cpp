@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "oracle/judge/mismatch.hpp"
+#include "oracle/motion/arc_turns.hpp"
 #include "oracle/motion/curve_follower.hpp"
 #include "oracle/motion/places.hpp"
 #include "oracle/steps/step_text.hpp"
@@ -72,10 +73,25 @@ bool Alignment::join_motion(Hypothesis& from) {
   if (motion == nullptr) return false;
   if (!moves_nothing(*motion)) {
     Motion both = from.curve->motion();
-    if (!join(both, *motion)) return false;
+    if (!join(both, *motion) && !join_chords(from, *motion, both)) return false;
     from.curve = std::make_shared<Curve>(std::move(both), tolerances_);
   }
   ++from.joined;
+  return true;
+}
+
+// R3: arcs that agree with their chords are joined as these are.
+bool Alignment::join_chords(Hypothesis& from, const Motion& next, Motion& both) {
+  const std::optional<Motion> chord = from.curve->chord();
+  if (chord) both = *chord;
+  const bool is_chord = agrees_with_chord(next, tolerances_.tolerance);
+  if (!chord && !is_chord) return false;
+  if (!join(both, is_chord ? chord_of(next) : next)) return false;
+  if (chord && from.piece) {
+    const Axis axis = longest_axis(both);
+    from.progress = {};
+    from.progress.line = abs(from.piece->to()[axis] - both.from[axis]);
+  }
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "oracle/motion/round_curve.hpp"
 #include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
@@ -112,6 +113,23 @@ bool is_flat_arc(const Motion& arc, const Number& tolerance) {
   // r^2 <= d^2 + 2 d tau + tau^2 with d^2 = side^2 / chord^2, times the chord's square.
   const Number rest = (radius_2 - tau_2) * chord_2 - side * side;
   return rest.sign() <= 0 || rest * rest <= tau_2 * 4 * side * side * chord_2;
+}
+
+bool agrees_with_chord(const Motion& motion, const Number& tolerance) {
+  if (motion.record.kind == RecordKind::arc) return is_flat_arc(motion, tolerance);
+  if (motion.record.kind != RecordKind::arc3) return false;
+  const ThreePoints points(motion);
+  return points.circle ? points.is_flat(tolerance) : !points.is_over_half();
+}
+
+Motion chord_of(const Motion& round) {
+  Motion chord = round;
+  Record& record = chord.record;
+  record.kind = RecordKind::feed;
+  record.rot = 0;
+  record.centre = {};
+  record.via = {};
+  return chord;
 }
 
 Position middle_of_arc(const Motion& arc) {

@@ -30,6 +30,10 @@ bool may_end_on_its_centre(const Motion& arc, const Number& rounding);
 // Whether all points of an arc lie within the tolerance of its chord in its plane: it turns by half
 // a turn at most.
 bool is_flat_arc(const Motion& arc, const Number& tolerance);
+// R3: the same of an arc or a circle in space; rounded, the three points of one may lie in line.
+bool agrees_with_chord(const Motion& motion, const Number& tolerance);
+// The straight cut between its ends.
+Motion chord_of(const Motion& round);
 // The point half way along an arc of at most half a turn.
 Position middle_of_arc(const Motion& arc);
 

@@ -24,7 +24,7 @@ Span01 agreeing_parameters(const Motion& line, const Position& point, const Numb
   Span01 span;
   for (Axis axis : kAllAxes) {
     const Number travel = line.to()[axis] - line.from[axis];
-    if (travel.sign() == 0) {
+    if (visible_sign(travel) == 0) {
       if (!agree(point[axis], line.from[axis], tolerance)) return {1, 0};
       continue;
     }
@@ -163,7 +163,7 @@ CurveAnswer Curve::follow_line(const CurveProgress& from, const Motion& subject)
     return CurveAnswer::departs(Departure::geometry, "The cut does not end on the line.");
   }
   const Axis axis = longest_axis(reference_);
-  const int direction = (reference_.to()[axis] - reference_.from[axis]).sign();
+  const int direction = visible_sign(reference_.to()[axis] - reference_.from[axis]);
   const Number reached = (subject.to()[axis] - reference_.from[axis]) * direction;
   if (reached < from.line - tau) {
     return CurveAnswer::departs(Departure::geometry, "The cut goes back along the line.");
@@ -176,17 +176,15 @@ CurveAnswer Curve::follow_line(const CurveProgress& from, const Motion& subject)
 // R3: whether the reference is an arc in space that agrees with its chord: rounded,
 // its three points may lie in line, and then it can be put out only as that.
 bool Curve::is_flat_arc3() const {
-  if (reference_.record.kind != RecordKind::arc3) return false;
-  const ThreePoints points(reference_);
-  return points.circle ? points.is_flat(tolerances_.tolerance) : !points.is_over_half();
+  return reference_.record.kind == RecordKind::arc3 &&
+         agrees_with_chord(reference_, tolerances_.tolerance);
 }
 
 // R3. An arc that agrees with its chord.
 CurveAnswer Curve::follow_flat(const CurveProgress& from, const Motion& subject) const {
   const Number& tau = tolerances_.tolerance;
   const bool is_arc = subject.record.kind == RecordKind::arc;
-  const bool is_flat = is_arc ? is_flat_arc(subject, tau) : ThreePoints(subject).is_flat(tau);
-  if (!is_flat ||
+  if (!agrees_with_chord(subject, tau) ||
       !agrees_with_line(reference_, is_arc ? middle_of_arc(subject) : via_of(subject), tau)) {
     return CurveAnswer::departs(Departure::kind,
                                 "The cut goes along an arc instead of a straight line.");
@@ -198,9 +196,20 @@ bool Curve::goes_beyond(const CurveProgress& from, const Motion& subject) const 
   if (tolerances_.compare_blocks && reference_.record.block != subject.record.block) return false;
   const bool cut = reference_.record.kind != RecordKind::rapid;
   if (cut && !feeds_agree(reference_.record, subject.record, tolerances_)) return false;
-  if (round_ && is_round(subject.record.kind)) return arc_goes_beyond(from, subject);
-  if (round_) return subject.record.kind == RecordKind::feed && chord_goes_beyond(from, subject);
-  return reference_.record.kind == subject.record.kind && line_goes_beyond(subject);
+  const bool is_arc = is_round(subject.record.kind);
+  if (round_ && is_arc) return arc_goes_beyond(from, subject);
+  if (round_) {
+    return subject.record.kind == RecordKind::feed &&
+           (chord_goes_beyond(from, subject) || (chord() && line_goes_beyond(subject)));
+  }
+  const bool is_chord = reference_.record.kind == RecordKind::feed && is_arc &&
+                        agrees_with_chord(subject, tolerances_.tolerance);
+  return (is_chord || reference_.record.kind == subject.record.kind) && line_goes_beyond(subject);
+}
+
+std::optional<Motion> Curve::chord() const {
+  if (open_ || !agrees_with_chord(reference_, tolerances_.tolerance)) return std::nullopt;
+  return chord_of(reference_);
 }
 
 bool Curve::line_goes_beyond(const Motion& subject) const {

@@ -75,6 +75,8 @@ class Curve {
   // Whether the motion starts as the curve does and follows it beyond its end: the two are equal
   // except for where they end.
   bool goes_beyond(const CurveProgress& from, const Motion& subject) const;
+  // R3. The chord of an arc that agrees with it; nothing of another motion.
+  std::optional<Motion> chord() const;
   // Where a motion that departs is off what is left of the curve, and how far.
   Apart apart(const CurveProgress& from, const Motion& subject) const;
   // J-CMP-12: of points on a round motion that departs the one that is farthest from what is left

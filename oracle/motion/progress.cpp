@@ -86,7 +86,7 @@ double way_of_arc(const Motion& arc) {
   double turned = sense * (way_round(ep / to, eq / to) - way_round(sp / from, sq / from));
   // Where the ends are as good as on one ray, the numbers say on which side.
   const bool is_whole =
-      std::abs(turned) < kEstimate ? region::cross(start, end).sign() != sense : turned < 0;
+      std::abs(turned) < kEstimate ? visible_sign(region::cross(start, end)) != sense : turned < 0;
   if (is_whole) turned += 8;
   const double turns = std::abs(static_cast<double>(arc.record.rot)) - 1;
   return (turned + 8 * turns) * std::min(from, to);

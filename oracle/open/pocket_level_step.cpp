@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "oracle/motion/arc_turns.hpp"
+#include "oracle/open/enclosed_places.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/steps/step_text.hpp"
 #include "reference/clause_literal.hpp"
@@ -13,15 +14,10 @@
 namespace gonogo::oracle {
 
 using reference::axes_of;
-using reference::PlaneAxes;
 using reference::PocketLevel;
 using reference::operator""_clause;
 
 namespace {
-
-region::PlanePoint plane_point(const Position& point, const PlaneAxes& axes) {
-  return {point[axes.p], point[axes.q]};
-}
 
 std::string_view sentence(region::Rule rule) {
   switch (rule) {
@@ -78,7 +74,7 @@ OpenStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion,
 // The traverse to where the pocket begins.
 bool PocketLevelStep::is_before(const Motion& motion) const {
   return motions_.empty() && motion.record.kind == RecordKind::rapid &&
-         motion.to()[axes_.d] == motion.from[axes_.d];
+         visible_sign(motion.to()[axes_.d] - motion.from[axes_.d]) == 0;
 }
 
 // A traverse ends the level: at depth it is the retract's business, which may be too small to see.
@@ -93,8 +89,11 @@ bool PocketLevelStep::collects(const Motion& motion) const {
 
 // The next infeed or retract, of levels that lie close together.
 bool PocketLevelStep::may_be_left_by(const Motion& small) const {
-  return small.record.kind != RecordKind::arc && small.to()[axes_.d] != small.from[axes_.d] &&
-         small.to()[axes_.p] == small.from[axes_.p] && small.to()[axes_.q] == small.from[axes_.q];
+  const auto moves = [&](Axis axis) {
+    return visible_sign(small.to()[axis] - small.from[axis]) != 0;
+  };
+  return small.record.kind != RecordKind::arc && moves(axes_.d) && !moves(axes_.p) &&
+         !moves(axes_.q);
 }
 
 OpenStepAnswer PocketLevelStep::take(const Motion& motion) {
@@ -127,14 +126,8 @@ OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
     return departs(VerdictKind::fail_overrun, motion,
                    "The cut is more than ten times as long as concentric circles.");
   }
-  region::LevelMotion part;
-  part.is_arc = record.kind == RecordKind::arc;
-  part.from = plane_point(motion.from, axes_);
-  part.to = plane_point(motion.to(), axes_);
-  part.centre = {record.centre[0], record.centre[1]};
-  part.rot = record.rot;
-  part.record = motion.number;
-  motions_.push_back(std::move(part));
+  slack_ = max(slack_, slack_of_enclosures(motion, axes_));
+  motions_.push_back(level_motion_near(motion, axes_));
   records_.push_back(record);
   if (motions_.size() > kMostMotions) {
     return OpenStepAnswer::gap(
@@ -151,9 +144,10 @@ region::CircularLevel PocketLevelStep::circle(const Position& plunge) const {
   circle.tool_radius = level_.tool_radius;
   circle.step = level_.step;
   circle.sense = level_.sense;
-  circle.plunge = plane_point(plunge, axes_);
+  circle.plunge = plane_point_near(plunge, axes_);
   circle.tolerance = tolerances_.level_tolerance();
   circle.chord = tolerances_.chord;
+  circle.slack = slack_;
   circle.open_turns = open_turns(level_.centre, level_.pocket_radius, tolerances_);
   return circle;
 }
@@ -201,8 +195,8 @@ std::optional<Verdict> PocketLevelStep::end(const Position& here) {
 OpenStep::Exit PocketLevelStep::exit(const Position& /*here*/) const {
   Position at = motions_.empty() ? plunge_ : place_;
   if (!motions_.empty()) {
-    at[axes_.p] = motions_.back().to.p;
-    at[axes_.q] = motions_.back().to.q;
+    at[axes_.p] = records_.back().to[axes_.p];
+    at[axes_.q] = records_.back().to[axes_.q];
   }
   at[axes_.d] = level_.depth;
   return {at};

@@ -44,6 +44,7 @@ class PocketLevelStep : public OpenStep {
   std::optional<reference::PocketLevel>& last_;
   Position plunge_;  // where the tool came down
   std::vector<region::LevelMotion> motions_;
+  Number slack_;                 // of the enclosures among them
   std::vector<Record> records_;  // the same, for the evidence
   MilledAgain again_;
   MilledWay way_;

@@ -5,6 +5,7 @@
 
 #include "oracle/motion/arc_turns.hpp"
 #include "oracle/motion/curve_follower.hpp"
+#include "oracle/open/enclosed_places.hpp"
 #include "oracle/open/pocket_milling_judge.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/region/gouge.hpp"
@@ -17,16 +18,6 @@ using reference::Levels;
 using reference::operator""_clause;
 
 namespace {
-
-// A rational number no more than 2^-kShortBits from one that is only enclosed. One that cannot be
-// enclosed so closely stays as it is.
-Number rational_near(const Number& value) {
-  if (value.form() != Number::Form::enclosure) return value;
-  const std::array<Number, 2> bounds = value.bounds(kShortBits + 4);
-  if (bounds[1] - bounds[0] > Number::binary(1, -kShortBits)) return value;
-  const Number scale = Number::binary(1, kShortBits + 4);
-  return (bounds[0] * scale).floor() / scale;
-}
 
 std::pair<reference::ClauseId, std::string_view> meaning_of(region::Rule rule) {
   switch (rule) {
@@ -221,32 +212,18 @@ bool PocketMillingJudge::has_feed(const Motion& motion, const Number& feed) cons
 }
 
 void PocketMillingJudge::take_slack_of(const Motion& motion) {
-  const auto is_enclosed = [](const Number& value) {
-    return value.form() == Number::Form::enclosure;
-  };
-  const Record& record = motion.record;
-  const bool needs_slack = is_enclosed(record.to[axes_.p]) || is_enclosed(record.to[axes_.q]) ||
-                           is_enclosed(motion.from[axes_.p]) || is_enclosed(motion.from[axes_.q]) ||
-                           is_enclosed(record.centre[0]) || is_enclosed(record.centre[1]);
-  if (!needs_slack || has_slack_of_enclosures_) return;
-  has_slack_of_enclosures_ = true;
-  slack_ += Number::binary(1, -kShortBits + 2);  // of two coordinates, either as far off as that
+  if (has_slack_of_enclosures_) return;
+  const Number slack = slack_of_enclosures(motion, axes_);
+  has_slack_of_enclosures_ = slack.sign() > 0;
+  slack_ += slack;
 }
 
 region::PlanePoint PocketMillingJudge::own(const Position& at) const {
-  return region::into(frame_, {rational_near(at[axes_.p]), rational_near(at[axes_.q])});
+  return region::into(frame_, plane_point_near(at, axes_));
 }
 
 region::LevelMotion PocketMillingJudge::own(const Motion& motion) const {
-  region::LevelMotion part;
-  part.is_arc = motion.record.kind == RecordKind::arc;
-  part.from = {rational_near(motion.from[axes_.p]), rational_near(motion.from[axes_.q])};
-  part.to = {rational_near(motion.to()[axes_.p]), rational_near(motion.to()[axes_.q])};
-  if (part.is_arc)
-    part.centre = {rational_near(motion.record.centre[0]), rational_near(motion.record.centre[1])};
-  part.rot = motion.record.rot;
-  part.record = motion.number;
-  return region::into(frame_, part);
+  return region::into(frame_, level_motion_near(motion, axes_));
 }
 
 std::optional<bool> PocketMillingJudge::stays_in(const Motion& motion,

@@ -25,7 +25,8 @@ bool is_sound(const RoundedRectangle& shape) {
 }
 
 bool is_sound(const CommonLevel& terms) {
-  return terms.tool_radius.sign() > 0 && terms.tolerance.sign() > 0 && terms.chord.sign() >= 0;
+  return terms.tool_radius.sign() > 0 && terms.tolerance.sign() > 0 && terms.chord.sign() >= 0 &&
+         terms.slack.sign() >= 0 && terms.slack < terms.tolerance;
 }
 
 // The levels that were judged last: those of one pocket are cut alike, and the ways to read a
@@ -89,13 +90,11 @@ LevelVerdict judge_level_by(Method method, const RectangularLevel& level,
                             std::span<const LevelMotion> motions) {
   const bool sound = is_sound(level) && is_sound(level.area) &&
                      (!level.cleared || is_sound(*level.cleared)) &&
-                     level.tool_radius <= level.area.radius && level.slack.sign() >= 0 &&
-                     level.slack < level.tolerance;
+                     level.tool_radius <= level.area.radius;
   if (!sound) return out_of_range("The pocket, tool or tolerance is out of range.");
   AnyLevel terms(level);
   terms.area = level.area;
   terms.cleared = level.cleared;
-  terms.slack = level.slack;
   terms.by_border = true;
   return judge_by_rules(terms, motions, method);
 }

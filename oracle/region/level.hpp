@@ -89,6 +89,10 @@ struct CommonLevel {
   Number tolerance;                          // > 0
   Number chord = {};                         // >= 0; 0: no chords of arcs are granted
   std::optional<OpenTurns> open_turns = {};  // none: within the tolerance
+  // How far a point of a motion may lie from where it truly is: a rational stands for it, or a
+  // rational rotation near the true one has turned it (frame.hpp). GO then holds with tolerance -
+  // slack, NO-GO with tolerance + slack; what lies between is a gap. 0 <= slack < tolerance.
+  Number slack = {};
 
   friend bool operator==(const CommonLevel&, const CommonLevel&) = default;
 };
@@ -126,10 +130,6 @@ struct CircularLevel : CommonLevel {
 struct RectangularLevel : CommonLevel {
   RoundedRectangle area;                    // its radius is at least the tool's
   std::optional<RoundedRectangle> cleared;  // by an earlier level: the rest is a strip
-  // How far a point of a motion may lie from where it truly is, because the frame turns it by a
-  // rational rotation near the true one (frame.hpp). GO then holds with tolerance - slack, NO-GO
-  // with tolerance + slack; what lies between is a gap. 0 <= slack < tolerance.
-  Number slack;
 
   friend bool operator==(const RectangularLevel&, const RectangularLevel&) = default;
 };

@@ -116,7 +116,8 @@ class LevelJudge {
   std::optional<BorderSense> along_chords_;
   std::vector<bool> chords_;  // of the motions, where they are granted
   Path path_;
-  std::optional<CutSequence> sequence_;  // where the order counts
+  // Where the order counts: of the least reach, and of the widest, where there is a slack.
+  std::vector<CutSequence> sequences_;
   std::optional<PlanePoint> line_end_;  // where the last motion ended, if it was a line that clears
   std::optional<LevelVerdict> doubt_;   // the first thing that stayed undecided
   bool by_filter_ = true;
@@ -129,8 +130,13 @@ LevelVerdict LevelJudge::judge() {
     // apart than they should be, and chords each run so far inside of their arcs.
     const Number reach =
         *terms_.step + Number(kTwoPlaces) * terms_.tolerance + Number(2) * terms_.chord;
-    sequence_.emplace(terms_.plunge - terms_.middle, *terms_.step, reach,
-                      enclose(terms_.tolerance).inf() / kBlur);
+    const auto begin = [&](const Number& far) {
+      sequences_.emplace_back(terms_.plunge - terms_.middle, *terms_.step, far,
+                              enclose(terms_.tolerance).inf() / kBlur);
+    };
+    // Of two places, either as far off as the slack.
+    begin(reach - Number(2) * terms_.slack);
+    if (terms_.slack.sign() != 0) begin(reach + Number(2) * terms_.slack);
   }
   if (auto verdict = gouge()) return *verdict;
   path_.points.push_back(terms_.plunge - terms_.middle);
@@ -285,7 +291,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion,
   const bool is_line = !motion.is_arc && !(motion.from == motion.to);
   if (is_line) {
     const Line line = line_of(motion);
-    if (sequence_) sequence_->add_line(line, is_chord, motion.record);
+    for (CutSequence& one : sequences_) one.add_line(line, is_chord, motion.record);
     if (is_chord || terms_.by_border) clear_with(line);
   } else if (terms_.by_border) {
     if (motion.rot == 0 && !(motion.from == motion.to)) {
@@ -327,7 +333,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
     return std::nullopt;
   }
   if (auto verdict = within(motion, reach)) return verdict;
-  if (sequence_) sequence_->add(arc, counterclockwise);
+  for (CutSequence& one : sequences_) one.add(arc, counterclockwise);
   clear_with(arc, counterclockwise);
   return std::nullopt;
 }
@@ -361,7 +367,11 @@ std::optional<LevelVerdict> LevelJudge::within(const LevelMotion& motion, const 
 // GSK-CYC-02, J-PKT-05
 std::optional<LevelVerdict> LevelJudge::order() {
   const Number half_side = border_.radius + terms_.tolerance + terms_.chord;
-  const CutOrder order = sequence_->check(enclose(half_side).sup());
+  CutOrder order = sequences_.front().check(enclose(half_side).sup());
+  if (order.kind == CutOrder::Kind::broken && sequences_.size() > 1) {
+    order = sequences_.back().check(enclose(half_side).sup());
+    if (order.kind == CutOrder::Kind::fine) order.kind = CutOrder::Kind::undecided;
+  }
   if (order.kind == CutOrder::Kind::undecided) {
     leave_undecided(GapReason::comparison,
                     "Whether the level is cut from the centre outwards could not be decided.");

@@ -17,7 +17,6 @@ struct AnyLevel : CommonLevel {
   std::optional<RoundedRectangle> cleared;
   std::optional<Number> step;
   bool by_border = false;  // lines clear like arcs, and only what runs along the border has a sense
-  Number slack;
   OpenTurns turns;  // what is open of them: asked for, or within the tolerance
 
   // Where the tool's centre may be.

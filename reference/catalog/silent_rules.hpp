@@ -69,10 +69,9 @@ inline constexpr auto kHnc21t = std::to_array<Clause>({
      "reference/hnc21t/interpreter.cpp"},
     refused_by_some(
         {"HNC-COM-04", open, hnc21t::kBasic,
-         "A feed below zero, a dwell without P or below zero, and an M function that is no whole "
-         "number that a record holds are alarms; S and T below zero have no effect. No text says "
-         "so; "
-         "our judgement.",
+         "F 0 is no feed; a feed below zero, a dwell without P or below zero, and an M function "
+         "that is no whole number that a record holds are alarms; S and T below zero do nothing. "
+         "No text says so; our judgement.",
          "reference/hnc21t/interpreter.cpp"},
         "value-sign"),
     {"HNC-COM-05", open, hnc21t::kBasic,

@@ -10,7 +10,7 @@
 namespace gonogo::reference::gsk988ta {
 
 void BlockContext::need_feed() {
-  BlockBase::need_feed("GSK-COM-04"_clause);
+  BlockBase::need_feed(machine.has_feed ? "GSK-COM-08"_clause : "GSK-COM-04"_clause);
 }
 
 AxisSet commanded_end_point(const BlockContext& block, Position& to) {

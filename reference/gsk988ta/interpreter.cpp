@@ -136,6 +136,7 @@ void Interpreter::take_feed(const BlockWords& words) {
     machine_.thread_lead = words.length('F').value();
     return;
   }
+  machine_.has_feed = true;
   machine_.feed_in_inch = machine_.units == Units::inch;
   machine_.feed = words.written('F');
   if (machine_.feed_in_inch) machine_.feed = inches(machine_.feed);

@@ -64,6 +64,7 @@ struct MillingMode {
 
 struct Machine : MotionState {
   Units units = Units::mm;
+  bool has_feed = false;      // F was written, maybe as zero or less
   bool feed_in_inch = false;  // F was written under G20
   int motion = 0;             // group 01: 0, 1, 2, 3, 90, 92, 94
   RetainedCut cut;
@@ -82,7 +83,7 @@ struct BlockContext : BlockBase {
   bool entered_cut = false;    // G90, G92 or G94 begins with this block
   bool changed_pair = false;   // G110 to G111, G112 to G113 or back
 
-  // GSK-COM-04: an alarm when no feed is in force.
+  // GSK-COM-04, GSK-COM-08: an alarm when no feed is in force.
   void need_feed();
   // The code that it runs, except one of group 00: a milling cycle, or one of group 01. Null:
   // none.

@@ -13,11 +13,11 @@ namespace gonogo::reference::hnc21t {
 
 void BlockContext::need_feed() {
   // HNC-MOD-04: whether F of a cycle is the ordinary feed matters only where the two differ.
-  const Number own =
-      is_cycle(machine.motion) ? machine.command.feed.value_or(0) : machine.plain_feed;
+  const auto& own = is_cycle(machine.motion) ? machine.command.feed : machine.plain_feed;
   const bool same = own == machine.latest_feed;
-  machine.feed = same || readings.is("hnc.modal.f=feed"_reading) ? machine.latest_feed : own;
-  BlockBase::need_feed("HNC-COM-01"_clause);
+  const auto& feed = same || readings.is("hnc.modal.f=feed"_reading) ? machine.latest_feed : own;
+  machine.feed = feed.value_or(0);
+  BlockBase::need_feed(feed ? "HNC-COM-04"_clause : "HNC-COM-01"_clause);
 }
 
 Number BlockContext::offset(Axis axis) const {

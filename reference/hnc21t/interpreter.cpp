@@ -50,7 +50,9 @@ class Interpreter : public BlockInterpreter {
 Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings)
     : profile_(profile), readings_(readings) {
   machine_.position = profile.initial.at;
-  machine_.latest_feed = machine_.plain_feed = profile.initial.feed;
+  if (profile.initial.feed.sign() > 0) {
+    machine_.latest_feed = machine_.plain_feed = profile.initial.feed;
+  }
   machine_.motion = profile.initial.motion;
   machine_.modes = {profile.units == Units::inch, profile.x_diameter, false};
   for (std::size_t i = 0; i < machine_.offsets.size(); ++i) {

@@ -60,8 +60,8 @@ struct Machine : MotionState {
   int motion = 0;                   // 0, 1, 2, 3, 32, 74, 75, 80, 81, 82
   CommandWords command;
   // HNC-MOD-04: the last F that is no lead, and the last of those outside the cycles.
-  Number latest_feed;
-  Number plain_feed;
+  std::optional<Number> latest_feed;
+  std::optional<Number> plain_feed;
 };
 
 // One block in the hands of the file that carries its code.
@@ -70,8 +70,8 @@ struct BlockContext : BlockBase {
   const BlockWords& words;
   const BlockCodes& codes;
 
-  // HNC-COM-01, HNC-MOD-04: the feed in force; an alarm when there is none. Motions take it from
-  // here.
+  // HNC-COM-01, HNC-COM-04, HNC-MOD-04: the feed in force; an alarm when there is none. Motions
+  // take it from here.
   void need_feed();
   // The work offset in force along an axis.
   Number offset(Axis axis) const;

@@ -55,6 +55,14 @@ std::vector<Disputed> disputed() {
   const std::string sie = rapid_x(1, "10");
   const std::string lathe = rapid_x(1, "5");
   return {
+      {"F0 is no feed, GSK", kGsk, "G01 X10 F100\nG01 X20 F0\n", feed_x(1, "5") + feed_x(2, "10"),
+       kMissing, "GSK-COM-08"},
+      {"F0 is no feed, HNC", kHnc, "G01 X10 F100\nG01 X20 F0\n", feed_x(1, "5") + feed_x(2, "10"),
+       kMissing, "HNC-COM-04"},
+      {"a feed below zero, GSK", kGsk, "G01 X10 F100\nG01 X20 F-5\n",
+       feed_x(1, "5") + feed_x(2, "10"), kMissing, "GSK-COM-08"},
+      {"a feed below zero, HNC", kHnc, "G01 X10 F100\nG01 X20 F-5\n",
+       feed_x(1, "5") + feed_x(2, "10"), kMissing, "HNC-COM-04"},
       {"a word of CIP beside CT", kSie, "G1 X10 F100\nCT X20 I1=15\n",
        feed_x(1, "10") + feed_x(2, "20"), kMissing, "SIE-COM-02"},
       {"a centre beside G1", kSie, "G0 X10\nG1 X20 I3 F100\n", sie + feed_x(2, "20"), kMissing,

@@ -99,26 +99,80 @@ TEST(FalseNoGo, ThePiecesOfAMotionMayEndBeyondWhereItIsDue) {
   decision_of(kCorner, to_corner + cut(2, R"("z":"4.9992")") + cut(3, R"("x":"5")"), hnc);
 }
 
-// The infeed to Z4 of a level, and a circle at the tool's reach in steps of 4 (GSK-G110-08, -09).
-TEST(FalseNoGo, ThePiecesOfAnInfeedMayEndBeyondTheLevel) {
+// The infeed to Z4 of a level in pieces, and a circle at each of these X, up to the tool's reach
+// (GSK-G110-08, -09).
+std::string level_by_circles(const std::vector<std::string>& infeed,
+                             const std::vector<std::string>& circles) {
   std::string trace = rapid(1, R"("x":"15","y":"14","z":"9")") + rapid(2, R"("x":"10","y":"10")") +
                       rapid(2, R"("z":"6")");
-  for (const char* z : {"4.0005", "3.9992"}) {
-    trace += fmt::format(R"({{"k":"feed","b":2,"to":{{"z":"{}"}},"f":"200"}})"
+  for (const std::string& z : infeed) {
+    trace += fmt::format(R"({{"k":"feed","b":2,"to":{{"z":{}}},"f":"200"}})"
                          "\n",
                          z);
   }
-  for (const char* x : {"12", "14", "16", "17"}) {
+  for (const std::string& x : circles) {
     trace += fmt::format(
-        R"({{"k":"feed","b":2,"to":{{"x":"{0}"}},"f":"200"}})"
+        R"({{"k":"feed","b":2,"to":{{"x":{0}}},"f":"200"}})"
         "\n"
-        R"({{"k":"arc","b":2,"plane":"G17","c":{{"x":"10","y":"10"}},"rot":-1,"to":{{"x":"{0}","y":"10"}},"f":"200"}})"
+        R"({{"k":"arc","b":2,"plane":"G17","c":{{"x":"10","y":"10"}},"rot":-1,"to":{{"x":{0},"y":"10"}},"f":"200"}})"
         "\n",
         x);
   }
-  trace += rapid(2, R"("z":"6")") + rapid(2, R"("x":"10","y":"10")") + rapid(2, R"("z":"9")");
-  decision_of("G17 G00 X30 Y14 Z9\nG110 X20 Y10 W-2 R-3 I10 L4 Q2 P0.5 D3 F200\n", trace,
-              {.resolution = "0.001", .dialect = "gsk988ta"});
+  return trace + rapid(2, R"("z":"6")") + rapid(2, R"("x":"10","y":"10")") + rapid(2, R"("z":"9")");
+}
+constexpr std::string_view kOneLevel =
+    "G17 G00 X30 Y14 Z9\nG110 X20 Y10 W-2 R-3 I10 L4 Q2 P0.5 D3 F200\n";
+
+// In steps of 4.
+TEST(FalseNoGo, ThePiecesOfAnInfeedMayEndBeyondTheLevel) {
+  decision_of(kOneLevel,
+              level_by_circles({R"("4.0005")", R"("3.9992")"},
+                               {R"("12")", R"("14")", R"("16")", R"("17")"}),
+              {.resolution = "0.001"});
+}
+
+// R9: what an enclosure leaves open of a level is less than the gauge's own rounding of it.
+TEST(FalseNoGo, CirclesOfALevelMayEndInEnclosures) {
+  const std::string near_12 = R"({"enclosure":["11.99999999999999999","12.00000000000000001"]})";
+  const auto level = [&](const std::string& last) {
+    return level_by_circles({R"("4")"}, {near_12, R"("14")", R"("16")", last});
+  };
+  decision_of(kOneLevel, level(R"("17")"), {});
+  // Into the wall, and a ring that is left out.
+  EXPECT_EQ(judge_trace(kOneLevel, level(R"("17.01")")).kind, VerdictKind::fail_region);
+  EXPECT_EQ(judge_trace(kOneLevel, level_by_circles({R"("4")"}, {near_12, R"("17")"})).kind,
+            VerdictKind::fail_region);
+}
+
+// The sagitta of a chord of 0.1 of a circle of 1.3 is 1.3 - sqrt(1.69 - 0.0025) = 0.00096, within
+// the tolerance of 0.001.
+TEST(FalseNoGo, AnArcThatAgreesWithItsChordMayBePartOfALongerLine) {
+  const Judging sinumerik = {.blocks = false, .dialect = "sinumerik840d", .tolerance = "0.001"};
+  const auto feed = [](const char* to) {
+    return fmt::format(R"({{"k":"feed","to":{{{}}},"f":"100"}})"
+                       "\n",
+                       to);
+  };
+  const std::string before = rapid(0, R"("x":"0","y":"0","z":"0")");
+  constexpr std::string_view kArcInLine =
+      "G0 X0 Y0 Z0\nG1 X10 F100\nG2 X10.1 Y0 CR=1.3\nG1 X20\nX20 Y5\n";
+  const std::string after = feed(R"("y":"5")");
+  decision_of(kArcInLine, before + feed(R"("x":"20")") + after, sinumerik);
+  decision_of(kArcInLine, before + feed(R"("x":"9")") + feed(R"("x":"20")") + after, sinumerik);
+  const std::string over = before + feed(R"("x":"10.05")") + feed(R"("x":"9")");
+  EXPECT_EQ(judge_trace(kArcInLine, over + feed(R"("x":"20")") + after, sinumerik).kind,
+            VerdictKind::fail_geometry);
+  // Beside it.
+  EXPECT_EQ(
+      judge_trace(kArcInLine, before + feed(R"("x":"20","y":"0.002")") + after, sinumerik).kind,
+      VerdictKind::fail_geometry);
+  // As much of an arc as is a line, across the end of one.
+  const std::string across =
+      feed(R"("x":"9.95")") +
+      R"({"k":"arc","plane":"G17","c":{"x":"10","y":"-1.3"},"rot":-1,"to":{"x":"10.05","y":"0"},"f":"100"})"
+      "\n" +
+      feed(R"("x":"20")");
+  decision_of("G0 X0 Y0 Z0\nG1 X10 F100\nX10.1\nX20\n", before + across, sinumerik);
 }
 
 // A helix of hardly a turn, whose end is rounded to where it starts: its record cannot say less
