@@ -25,7 +25,7 @@ constexpr auto kNgcOffsets = std::to_array<std::string_view>(
 constexpr auto kNgcParameters =
     std::to_array<std::string_view>({"5181", "5182", "5183", "5184", "5186"});
 constexpr auto kGskParameters =
-    std::to_array<std::string_view>({"3403.6", "3410", "5130", "5920", "5921"});
+    std::to_array<std::string_view>({"3403.6", "3404.7", "3410", "5130", "5920", "5921"});
 constexpr auto kSinumerikParameters =
     std::to_array<std::string_view>({"CIRCLE_ERROR_CONST", "CIRCLE_ERROR_FACTOR"});
 constexpr auto kHncParameters = std::to_array<std::string_view>({"3410"});

@@ -24,11 +24,11 @@ std::string text_of(const grammar::Word& word) {
   return text;
 }
 
-bool repeats_address(const grammar::Block& block) {
+bool repeats_address(const grammar::Block& block, std::string_view may_repeat) {
   std::uint32_t seen = 0;
   for (const grammar::Word& word : block.words) {
-    if (word.address == 'G') continue;
-    if ((seen & bit_of(word)) != 0) return true;
+    const bool may = may_repeat.find(word.address) != std::string_view::npos;
+    if ((seen & bit_of(word)) != 0 && !may) return true;
     seen |= bit_of(word);
   }
   return false;

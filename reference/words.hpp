@@ -97,8 +97,8 @@ class WordTable : public WordPlaces {
   std::array<const grammar::Word*, '^' - '@' + 1> by_address_{};
 };
 
-// Whether an address other than G stands twice.
-bool repeats_address(const grammar::Block& block);
+// Whether an address stands twice, except those that may.
+bool repeats_address(const grammar::Block& block, std::string_view may_repeat);
 // An alarm for each word whose address stands before it, except those that may stand twice.
 void check_repeated_addresses(const WordTable& words, ClauseId clause, std::vector<Alarm>& alarms,
                               std::string_view may_repeat = "G");

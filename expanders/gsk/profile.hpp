@@ -42,6 +42,7 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"gsk.thread.runout", "any|polar|radial|tangent"},
     {"gsk.decimals", "keep|nearest|alarm"},
     // This machine has one outcome of these.
+    {"gsk.m-functions", "one"},
     {"gsk.pocket.path", "concentric"},
     {"gsk.pocket.p-omitted", "0"},
     {"gsk.arc.zero-radius", "alarm"},

@@ -158,6 +158,11 @@ inline constexpr auto kGskReadings = of_dialect(
          .alternatives = {"alarm", "last"},
          .clause = "GSK-COM-07"_clause,
          .text = "an address or group of codes twice: an alarm, or the last one wins"},
+        {.name = "gsk.m-functions",
+         .alternatives = {"one", "three"},
+         .clause = "GSK-COM-11"_clause,
+         .text = "M functions of a block: one, so that two are an address twice; or up to three, "
+                 "each of which is passed on (parameter 3404#7)"},
         {.name = "gsk.dwell-without-word",
          .alternatives = {"alarm", "none"},
          .clause = "GSK-COM-05"_clause,

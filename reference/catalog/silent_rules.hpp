@@ -30,8 +30,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
                      "reference/gsk988ta/unused_words.cpp"},
                     "unused-word conflicting-words"),
     {"GSK-COM-11", open, kBasic,
-     "Two M functions in a block are an alarm, and so is one that is no whole number that a record "
-     "holds. No text says so for every machine (3404#7); our judgement.",
+     "Two M functions in a block are an alarm, or up to three are passed on as parameter 3404#7 or "
+     "the reading says; one that is no whole number that a record holds is an alarm. No text says "
+     "so for every machine; our judgement.",
      "reference/gsk988ta/words.cpp"},
     refused_by_some({"GSK-COM-12", open, kBasic,
                      "G04 without a time, or with one below zero, is an alarm; S and T below zero "

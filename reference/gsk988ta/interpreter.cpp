@@ -33,20 +33,22 @@ class Interpreter : public BlockInterpreter {
   }
 
  private:
-  bool later_wins(const grammar::Block& block) const;
+  bool takes_each_m(const grammar::Block& block) const;
+  bool later_wins(const grammar::Block& block, std::string_view may_repeat) const;
   void take_modes(const BlockCodes& codes);
   void take_motion_code(BlockContext& block);
   void take_cycle_code(BlockContext& block);
   void take_feed(const BlockWords& words);
   bool has_stray_word(const BlockContext& block) const;
-  void check_words(const BlockContext& block, bool last_wins) const;
+  void check_words(const BlockContext& block, bool last_wins, std::string_view may_repeat) const;
   void check_cycle_words(const BlockContext& block, bool last_wins) const;
   void latch_entry_words(BlockContext& block) const;
   void run_code(BlockContext& block);
   void run_motion(BlockContext& block) const;
   void leave_milling_mode() { machine_.milling = {}; }
   void enter_cycle(BlockContext& block);
-  void put_m_function_of(const BlockContext& block) const;
+  void put_m_function(const grammar::Word& word, const BlockContext& block) const;
+  void put_m_functions(const BlockContext& block, bool each) const;
 
   const Profile& profile_;
   const ReadingsInUse& readings_;
@@ -57,9 +59,17 @@ class Interpreter : public BlockInterpreter {
   CodeReading reading_;
 };
 
+// GSK-COM-11: parameter 3404#7 decides on the machine (1: up to three M functions in a block).
+bool Interpreter::takes_each_m(const grammar::Block& block) const {
+  const auto count = std::ranges::count(block.words, 'M', &grammar::Word::address);
+  if (count < 2 || count > 3) return false;
+  if (auto parameter = profile_.parameter("3404.7")) return parameter->sign() != 0;
+  return readings_.is("gsk.m-functions=three"_reading);
+}
+
 // GSK-COM-07: parameter 3403#6 decides on the machine (0: the later one wins).
-bool Interpreter::later_wins(const grammar::Block& block) const {
-  if (!repeats_address(block) && !repeats_group(block)) return false;
+bool Interpreter::later_wins(const grammar::Block& block, std::string_view may_repeat) const {
+  if (!repeats_address(block, may_repeat) && !repeats_group(block)) return false;
   if (auto parameter = profile_.parameter("3403.6")) return parameter->sign() == 0;
   return readings_.is("gsk.duplicate=last"_reading);
 }
@@ -155,10 +165,11 @@ bool Interpreter::has_stray_word(const BlockContext& block) const {
   return true;
 }
 
-void Interpreter::check_words(const BlockContext& block, bool last_wins) const {
+void Interpreter::check_words(const BlockContext& block, bool last_wins,
+                              std::string_view may_repeat) const {
   const BlockWords& words = block.words;
   std::vector<Alarm>& alarms = block.out.alarms;
-  check_pairs(words, last_wins, alarms);
+  check_pairs(words, last_wins, may_repeat, alarms);
   check_code_groups(words, block.codes, alarms);
   check_feed_word(words, alarms);
   if (block.codes.once != 4 && has_fine_words(words.block(), profile_, machine_.units) &&
@@ -249,20 +260,26 @@ void Interpreter::run_motion(BlockContext& block) const {
 }
 
 // The M function is passed on: one that stops or ends something after the motion, another before
-// (GSK-COM-05; M35 of the milling cycles before, GSK-G112-01). The later one of two counts
-// (GSK-COM-07).
-void Interpreter::put_m_function_of(const BlockContext& block) const {
-  const grammar::Word* word = block.words.word('M');
-  if (word == nullptr) return;
+// (GSK-COM-05; M35 of the milling cycles before, GSK-G112-01).
+void Interpreter::put_m_function(const grammar::Word& word, const BlockContext& block) const {
   std::optional<Record> record =
-      read_m_function(*word, block.line, "GSK-COM-05"_clause, "GSK-COM-11"_clause, block.out);
+      read_m_function(word, block.line, "GSK-COM-05"_clause, "GSK-COM-11"_clause, block.out);
   if (!record) return;
   if (record->m == 35) {
     // The C axis is clamped before the tool cuts.
     record->before_cut = true;
     if (machine_.milling.family() == CycleFamily::helix) record->clause = "GSK-G112-01"_clause;
   }
-  put_m_function(*std::move(record), block.out);
+  reference::put_m_function(*std::move(record), block.out);
+}
+
+// Each of them (GSK-COM-11), or the later one of two (GSK-COM-07).
+void Interpreter::put_m_functions(const BlockContext& block, bool each) const {
+  if (!block.words.has('M')) return;
+  if (!each) return put_m_function(*block.words.word('M'), block);
+  for (const grammar::Word& word : block.words.block().words) {
+    if (word.address == 'M') put_m_function(word, block);
+  }
 }
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
@@ -274,7 +291,9 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   }
   if (block.words.empty()) return;
   has_begun_ = true;
-  const bool last_wins = later_wins(block);
+  const bool each_m = takes_each_m(block);
+  const std::string_view may_repeat = each_m ? "GM" : "G";
+  const bool last_wins = later_wins(block, may_repeat);
   read_codes(block, last_wins, reading_);
   if (reading_.not_covered) {
     out.not_covered = std::move(reading_.not_covered);
@@ -293,9 +312,9 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   take_motion_code(context);
   take_cycle_code(context);
   const bool has_wrong_codes = !out.alarms.empty();
-  put_m_function_of(context);
+  put_m_functions(context, each_m);
   if (!has_wrong_codes && has_stray_word(context)) return;
-  check_words(context, last_wins);
+  check_words(context, last_wins, may_repeat);
   take_feed(words);
   if (out.notes_acceptances) note_unused_words(context);
   run_code(context);

@@ -68,9 +68,10 @@ std::optional<AxisWord> BlockWords::axis_word(Axis axis, bool diameter) const {
   return AxisWord{incremental, value};
 }
 
-void check_pairs(const BlockWords& words, bool last_wins, std::vector<Alarm>& alarms) {
+void check_pairs(const BlockWords& words, bool last_wins, std::string_view may_repeat,
+                 std::vector<Alarm>& alarms) {
   if (!last_wins) {
-    check_repeated_addresses(words, "GSK-COM-07"_clause, alarms);
+    check_repeated_addresses(words, "GSK-COM-07"_clause, alarms, may_repeat);
     for (Alarm& alarm : alarms) {
       if (alarm.alarm == AlarmClass::duplicate_word && alarm.word == 'M') {
         alarm.clause = "GSK-COM-11"_clause;

@@ -42,7 +42,8 @@ class BlockWords : public WordTable {
 
 // Rules that hold for the words of any block; what they break is appended.
 // GSK-COM-01, GSK-COM-07: an address twice (unless the last one wins), X with U.
-void check_pairs(const BlockWords& words, bool last_wins, std::vector<Alarm>& alarms);
+void check_pairs(const BlockWords& words, bool last_wins, std::string_view may_repeat,
+                 std::vector<Alarm>& alarms);
 // GSK-COM-03 under gsk.decimals = alarm.
 void check_decimals(const BlockWords& words, const Profile& profile, Units units,
                     std::vector<Alarm>& alarms);

@@ -77,7 +77,7 @@ no: along=least R=opposite
 no: along=zero R=opposite,below,at,above
 )";
 constexpr std::string_view kGskFeed = R"(
-F: here=200 before !none@feed-missing !zero=0@feed-missing !minus=-5@value-sign+feed-missing
+F: here=200 before !none@feed-missing !?zero=0@feed-missing !?minus=-5@value-sign+feed-missing
 )";
 constexpr std::string_view kLead = R"(
 F: here=1.5 fine=0.001 coarse=20 !none@lead-missing !zero=0@lead-missing !minus=-5@value-sign+lead-missing

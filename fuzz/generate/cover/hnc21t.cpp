@@ -58,7 +58,7 @@ units: mm inch
 distance: absolute letters modal
 )";
 constexpr std::string_view kHncFeed = R"(
-F: here before !none@feed-missing !minus@value-sign+feed-missing
+F: here before !none@feed-missing !?minus@value-sign+feed-missing
 )";
 constexpr std::string_view kHncFaults = R"(
 fault: none !?both@conflicting-words !?twice=S100&S200@duplicate-word !?Y=Y5@undefined-code !?plane=G17@plane-not-allowed
@@ -140,7 +140,7 @@ void draw_g75(const Pick& pick, Drawing& drawing) {
 constexpr std::string_view kPecks = R"(
 e: none zero=0 typical=0.5 least=e over=4 !minus=-e@value-sign
 Q: none typical=2.5 whole=3 more=50 !zero=0@value-sign !minus=-2@value-sign
-F: here before !none@feed-missing !minus@value-sign+feed-missing
+F: here before !none@feed-missing !?minus@value-sign+feed-missing
 then: nothing again rapid
 # A withdrawal needs a depth of a peck; pecks that gain nothing never end.
 no: e=typical,least,over Q=none

@@ -116,6 +116,21 @@ TEST(Words, Com07Parameter3403Bit6DecidesOverTheReading) {
   EXPECT_EQ(ending("X1 X2", alarm), "alarm b1 duplicate-word");
 }
 
+// M3 before the motion, M9 behind it. A fourth is one too many.
+TEST(Words, Com11UpToThreeMFunctionsMayStandInABlock) {
+  const Profile three = profile_with({{"gsk.m-functions", "three"}});
+  EXPECT_EQ(lines("M9 G0 X2 M8 M3", three), (Lines{"m8", "m3", "rapid x1", "m9"}));
+  EXPECT_EQ(ending("G0 X2 M3 M4 M8 M9", three),
+            "alarm b1 duplicate-word duplicate-word duplicate-word");
+  EXPECT_EQ(ending("G0 X2 X2 M3 M8", three), "alarm b1 duplicate-word");
+  Profile parameter = profile_with({{"gsk.m-functions", "one"}});
+  parameter.parameters["3404.7"] = num("1");
+  EXPECT_EQ(lines("M3 M8", parameter), (Lines{"m3", "m8"}));
+  parameter = profile_with({{"gsk.m-functions", "three"}, {"gsk.duplicate", "last"}});
+  parameter.parameters["3404.7"] = num("0");
+  EXPECT_EQ(lines("M3 M8", parameter), Lines{"m8"});
+}
+
 TEST(Words, ReadingDecimalsKeepKeepsTheExactValue) {
   EXPECT_EQ(lines("X0.0001 Z1.23456789"), Lines{"rapid x0.00005 z1.23456789"});
 }
