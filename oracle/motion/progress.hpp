@@ -33,7 +33,8 @@ class VisitedPlaces {
   std::unordered_set<std::uint64_t> places_;
 };
 
-// J-CYC-02: how far apart rings count as two where the step is the given one.
+// J-CYC-02: how far apart rings count as two where the step, or the tool's radius, is the given
+// one.
 Number ring_width(const Number& step, const Number& tolerance);
 
 inline constexpr std::string_view kMilledTooOften =
@@ -47,6 +48,8 @@ class MilledAgain {
 
   // Counts the cut. False when it makes one motion, or a turn on one ring, once too often.
   bool allows(const Motion& cut);
+  // A new level begins.
+  void clear() { times_.clear(); }
 
  private:
   double width_;

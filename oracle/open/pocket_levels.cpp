@@ -63,6 +63,7 @@ OpenStepAnswer PocketMillingJudge::finish_floor_or_travel(const Motion& next) {
 }
 
 void PocketMillingJudge::close_level() {
+  again_.clear();
   motions_.clear();
   records_.clear();
   const std::optional<Number> place = due_place(depth_);

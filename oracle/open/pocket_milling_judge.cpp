@@ -44,7 +44,9 @@ PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, con
       rough_reach_(reach_),
       cleared_{item.clearance, item.clearance},
       last_depth_(item.clearance),
+      lowest_(item.clearance),
       depth_(item.clearance),
+      again_(ring_width(item.tool_radius, tolerances.level_tolerance())),
       way_(most_way(item)) {
   // SIE-LC75-10: what a tool of this radius cleared in roughing; nothing where it does not fit.
   const Number narrower = min(item.length, item.width) - item.allowance * 2;
@@ -134,6 +136,10 @@ OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
     return departs(VerdictKind::fail_region, item_.clause, motion,
                    "The arc lies in another plane.");
   }
+  if (is_cut(kind) && !again_.allows(motion)) {
+    return departs(VerdictKind::fail_overrun, "SIE-LC75-04"_clause, motion,
+                   std::string(kMilledTooOften));
+  }
   if (!way_.allows(motion, axes_)) {
     return departs(VerdictKind::fail_overrun, "SIE-LC75-04"_clause, motion,
                    "The way is more than ten times as long as the levels need.");
@@ -142,6 +148,11 @@ OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
   if (floor_cuts_ && is_cut(kind)) note_floor_cut(motion);
   const Number& from = motion.from[axes_.d];
   const Number& to = motion.to()[axes_.d];
+  // SIE-LC75-05: levels may begin above what is to be cut.
+  if (to < lowest_ - tolerances_.tolerance && is_near_cleared(to)) {
+    lowest_ = to;
+    again_.clear();
+  }
   if (!goes_along_depth(motion)) return take_along_plane(motion);
   if (stays_at_level(motion)) return OpenStepAnswer::take();
   if (milling_ && !(motions_.empty() && to < from)) {

@@ -111,6 +111,7 @@ class PocketMillingJudge : public OpenStep {
   Number last_depth_;              // of the level before, at first the clearance
   std::optional<Motion> arrival_;  // what brought the tool down to where it is
   bool milling_ = false;           // a level is being collected
+  Number lowest_;                  // that the tool has been in what is cleared, or in the air
   Number depth_;                   // of it
   // J-PKT-09: two ways to take the level, between which its end decides.
   bool may_be_travel_ = false;  // what its cuts are unless they clear the floor
@@ -120,6 +121,7 @@ class PocketMillingJudge : public OpenStep {
   std::vector<region::LevelMotion> motions_;
   std::vector<Record> records_;
   std::size_t idle_cuts_ = 0;
+  MilledAgain again_;
   MilledWay way_;
   std::optional<region::MilledFloor> floor_cuts_;  // where only the contour is to be milled
   region::PlanePoint plunge_;
