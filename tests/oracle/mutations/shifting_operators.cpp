@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Places beside the right ones: by 1.5 tolerances and more.
+#include <algorithm>
+
 #include "operator.hpp"
 
 namespace gonogo::mutations {
@@ -21,6 +23,23 @@ bool ends_on_ray(const Edit& edit, std::size_t number, Axis axis) {
          (axis == axes.q && record.centre[0] == start[axes.p]);
 }
 
+// R4: a traverse that stops on its way along an axis, where the next one goes on along that axis.
+bool stops_on_the_way(const Edit& edit, std::size_t number, Axis axis) {
+  const auto& records = edit.trace.records;
+  const std::size_t next = number + 1;
+  if (next >= records.size() || records[number].kind != RecordKind::rapid ||
+      records[next].kind != RecordKind::rapid) {
+    return false;
+  }
+  const Number& stop = records[number].to[axis];
+  const Number due = edit.specimen.after[number][axis] - stop;
+  const Number come = stop - edit.specimen.before[number][axis];
+  const bool goes_on = std::ranges::all_of(kLinearAxes, [&](Axis other) {
+    return other == axis || edit.specimen.after[next][other] == edit.specimen.after[number][other];
+  });
+  return goes_on && (due * come).sign() > 0;
+}
+
 // The end of one motion beside its place; the next leads where it led.
 bool shift_end(Edit& edit) {
   const auto number = edit.any_motion();
@@ -32,7 +51,7 @@ bool shift_end(Edit& edit) {
   record.to[axis] = edit.specimen.after[*number][axis] + by;
   record.axes.add(axis);
   edit.lead_next_to_its_end(*number);
-  return true;
+  return !stops_on_the_way(edit, *number, axis);
 }
 
 // The same, and what follows stays where it is then, on axes that it does not name.
@@ -45,7 +64,7 @@ bool shift_end_for_good(Edit& edit) {
   if (ends_on_ray(edit, *number, axis)) return false;
   record.to[axis] = edit.specimen.after[*number][axis] + by;
   record.axes.add(axis);
-  return true;
+  return !stops_on_the_way(edit, *number, axis);
 }
 
 bool shift_rotary_end(Edit& edit) {
@@ -159,7 +178,7 @@ bool scale_axis(Edit& edit) {
       edit.specimen.after[*number][axis] * (edit.chance.once_in(2) ? Number(2) : Number(1) / 2);
   record.axes.add(axis);
   edit.lead_next_to_its_end(*number);
-  return !comes_before_finishing(edit.specimen, *number);
+  return !comes_before_finishing(edit.specimen, *number) && !stops_on_the_way(edit, *number, axis);
 }
 
 bool mirror_axis(Edit& edit) {

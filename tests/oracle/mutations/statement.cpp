@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <regex>
 
@@ -44,11 +45,31 @@ struct PassedOn {
   friend bool operator==(const PassedOn&, const PassedOn&) = default;
 };
 
-std::vector<PassedOn> functions_of(const Trace& trace) {
-  std::vector<PassedOn> all;
-  for (const Record& record : trace.records) {
-    if (record.kind == RecordKind::m) all.push_back({record.m, record.block});
+// R5: those of one block whose places no text fixes, by their numbers.
+template <typename Function>
+void sort_within_blocks(std::vector<Function>& all, auto&& record_of) {
+  const auto is_of_block = [&](const Function& a, const Function& b) {
+    return !record_of(a).among_motions && !record_of(b).among_motions &&
+           record_of(a).block == record_of(b).block;
+  };
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last = std::find_if(first, all.end(),
+                                   [&](const Function& one) { return !is_of_block(*first, one); });
+    std::stable_sort(first, last, [&](const Function& a, const Function& b) {
+      return record_of(a).m < record_of(b).m;
+    });
+    first = first == last ? first + 1 : last;
   }
+}
+
+std::vector<PassedOn> functions_of(const Trace& trace) {
+  std::vector<Record> records;
+  for (const Record& record : trace.records) {
+    if (record.kind == RecordKind::m) records.push_back(record);
+  }
+  sort_within_blocks(records, std::identity());
+  std::vector<PassedOn> all;
+  for (const Record& record : records) all.push_back({record.m, record.block});
   return all;
 }
 
@@ -143,8 +164,11 @@ Statement state_functions(const Specimen& specimen, const Trace& mutant) {
     }
     return wrong("other M functions");
   }
-  const std::vector<Standing> right = standings_in(specimen, specimen.right);
-  const std::vector<Standing> got = standings_in(specimen, mutant);
+  std::vector<Standing> right = standings_in(specimen, specimen.right);
+  std::vector<Standing> got = standings_in(specimen, mutant);
+  const auto record_of = [](const Standing& one) -> const Record& { return *one.function; };
+  sort_within_blocks(right, record_of);
+  sort_within_blocks(got, record_of);
   constexpr double kElsewhere = 4;  // tolerances
   for (std::size_t i = 0; i < got.size(); ++i) {
     const bool is_fixed = right[i].function->among_motions;
