@@ -19,6 +19,8 @@ namespace {
 // A subject that dies before its first record in each of so many first cases never worked: its
 // command is wrong, and the run says nothing about what it implements.
 constexpr std::size_t kDeadOnArrival = 5;
+// Of one that has said who it is: it may be right of other programs.
+constexpr std::size_t kDeadAfterGreeting = 20;
 constexpr std::size_t kLongestNotes = 1000;
 
 // What the workers share.
@@ -52,6 +54,7 @@ class Run {
   std::size_t finished_ = 0;
   std::size_t no_go_ = 0;
   std::size_t deaths_ = 0;  // before a record, while no case went otherwise
+  std::size_t most_deaths_ = kDeadOnArrival;
   bool has_lived_ = false;
   bool stopped_ = false;
   std::exception_ptr failure_;
@@ -74,7 +77,7 @@ std::optional<Case> Run::select(Case test) {
 
 void Run::note_greeting() {
   const std::lock_guard lock(mutex_);
-  has_lived_ = true;
+  most_deaths_ = kDeadAfterGreeting;
 }
 
 void Run::note_life(const CaseResult& result) {
@@ -82,12 +85,11 @@ void Run::note_life(const CaseResult& result) {
   const bool broke_down =
       result.verdict.kind == VerdictKind::crash || result.verdict.kind == VerdictKind::protocol;
   has_lived_ = !broke_down || !result.trace.empty();
-  if (has_lived_ || ++deaths_ < kDeadOnArrival) return;
+  if (has_lived_ || ++deaths_ < most_deaths_) return;
   const std::string notes = result.notes.substr(0, kLongestNotes);
   throw SubjectUnusable(fmt::format(
       "The subject died at once in each of the first {} cases, so that nothing was judged. {}{}{}",
-      kDeadOnArrival, result.verdict.message,
-      notes.empty() ? "" : "\nIt wrote to stderr: ", notes));
+      most_deaths_, result.verdict.message, notes.empty() ? "" : "\nIt wrote to stderr: ", notes));
 }
 
 void Run::finish_case(CaseResult result) {

@@ -12,6 +12,7 @@
 #include "cli/subject_files.hpp"
 #include "fuzz/hunt/known_signatures.hpp"
 #include "oracle/records/text.hpp"
+#include "publish/report/command.hpp"
 
 namespace gonogo::cli {
 
@@ -68,7 +69,7 @@ std::string command_of(const HuntWords& words) {
 }
 
 std::string reduce_command(const std::string& folder, const TrialWords& words) {
-  return fmt::format("gonogo reduce {} --subject {} --profile {}{}",
+  return fmt::format("{} reduce {} --subject {} --profile {}{}", oracle::report::program_word(),
                      oracle::shell_quoted(folder + "/program.nc"),
                      oracle::shell_quoted(words.subject),
                      oracle::shell_quoted(folder + "/profile.json"), tolerances_of(words.limits));

@@ -157,8 +157,12 @@ const DueMFunction* Alignment::overdue(const Hypothesis& from) {
 bool Alignment::waits_for_m_function(Hypothesis& from, const Motion& motion, Stage& stage) {
   const DueMFunction* due = overdue(from);
   if (due == nullptr) return false;
-  if (is_negligible(from, motion, step_of(from).place)) {
+  const ReferenceSteps::Step& step = step_of(from);
+  if (is_negligible(from, motion, step.place)) {
     stay(std::move(from), motion, stage);
+  } else if (is_end(step.what)) {
+    Verdict verdict = motion_too_many(motion, step.what);
+    refute(std::move(from), motion, std::move(verdict));
   } else {
     refute_missing(std::move(from), *due, record_text(motion.record), motion.number);
   }

@@ -49,17 +49,23 @@ CycleTable cycle_table(const RunScope& scope) {
   return table;
 }
 
+std::string CycleTable::name(const Row& row) const {
+  const bool is_alone =
+      std::ranges::all_of(rows, [&](const Row& other) { return other.dialect == row.dialect; });
+  return is_alone ? row.cycle : fmt::format("{} of {}", row.cycle, row.dialect);
+}
+
 std::string CycleTable::text(std::size_t most) const {
   if (rows.empty()) return {};
   std::size_t width = std::string_view("cycle").size();
-  for (const Row& row : rows) width = std::max(width, row.cycle.size());
+  for (const Row& row : rows) width = std::max(width, name(row).size());
   std::string text = fmt::format("  {:<{}}", "cycle", width);
   for (std::size_t i = 0; i < kColumns.size(); ++i) {
     if (used[i]) text += fmt::format("  {:>{}}", kColumns[i], width_of(i));
   }
   text += "\n";
   for (std::size_t shown = 0; shown < std::min(most, rows.size()); ++shown) {
-    text += fmt::format("  {:<{}}", rows[shown].cycle, width);
+    text += fmt::format("  {:<{}}", name(rows[shown]), width);
     for (std::size_t i = 0; i < kColumns.size(); ++i) {
       if (!used[i]) continue;
       text += fmt::format("  {:>{}}", grouped(rows[shown].cases[i]), width_of(i));

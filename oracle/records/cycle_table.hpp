@@ -31,6 +31,8 @@ struct CycleTable {
   // Whether a column says anything.
   std::array<bool, kColumns.size()> used{};
 
+  // What a row is of; with its dialect, where there are several.
+  std::string name(const Row& row) const;
   // For a terminal, indented; at most `most` rows, and then how many more there are.
   std::string text(std::size_t most) const;
 };

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "campaign/encoding.hpp"
+#include "oracle/records/followed_readings.hpp"
 #include "oracle/records/text.hpp"
 #include "publish/evidence/compare_parts.hpp"
 #include "publish/report/case_paths.hpp"
@@ -84,9 +85,13 @@ void note_incomplete(const Side& side, Comparison& comparison) {
       "{} is incomplete: it has no footer, and cases are missing.", side.reader().path()));
 }
 
-Json assignments_of(const Side& side) {
+std::string followed_by(const Side& side) {
   const auto& footer = side.reader().footer();
-  return footer ? footer->value("assignments", Json::array()) : Json::array();
+  const Json all = footer ? footer->value("assignments", Json::array()) : Json::array();
+  std::vector<std::string> assignments;
+  for (const Json& one : all) assignments.push_back(one.is_string() ? one.get<std::string>() : "");
+  const std::string followed = followed_readings(assignments);
+  return followed.empty() ? "no reading mattered" : followed;
 }
 
 // What makes two runs hard to compare, a sentence each.
@@ -101,10 +106,10 @@ void note_differences(const Side& before, const Side& after, Comparison& compari
                                              part.what, visible(dump(a)), visible(dump(b))));
     }
   }
-  if (const Json a = assignments_of(before), b = assignments_of(after); a != b) {
+  if (const std::string a = followed_by(before), b = followed_by(after); a != b) {
     comparison.notes.push_back(
-        fmt::format("The readings that explain everything that passed differ: {} before, {} now.",
-                    visible(dump(a)), visible(dump(b))));
+        fmt::format("The readings that explain everything that passed differ: {} before; {} now.",
+                    visible(a), visible(b)));
   }
 }
 

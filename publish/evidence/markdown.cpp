@@ -149,7 +149,7 @@ std::string cycles_table(const Json& cycles) {
   }
   text += "\n" + rule + "\n";
   for (const Json& row : cycles["rows"]) {
-    text += fmt::format("| {} |", markdown_text(text_of(row, "cycle")));
+    text += fmt::format("| {} |", markdown_text(text_of(row, "name")));
     for (std::size_t i = 0; i < row["cases"].size(); ++i) {
       if (cycles["used"][i] == true) {
         text += fmt::format(" {} |", grouped(row["cases"][i].get<std::size_t>()));

@@ -54,12 +54,13 @@ std::string swept(const View& view, const Path& path, const PocketFloor& level) 
 
 namespace {
 
-// The border at the depth of a place between the floor and where the levels begin.
-Limit at_depth_of(Limit border, const Point3& place) {
+// The border at the depth of a place between the floor and where the levels begin; nothing of a
+// place above, where nothing is milled.
+std::optional<Limit> at_depth_of(Limit border, const Point3& place) {
   PocketFloor& level = *border.level;
   const double depth = depth_of(place, level.plane);
-  const bool is_within = level.top && depth > level.depth && depth < *level.top;
-  if (!is_within) return border;
+  if (!level.top || depth <= level.depth) return border;
+  if (depth >= *level.top) return std::nullopt;
   level.depth = depth;
   for (Point3& point : border.points) {
     (level.plane == reference::Plane::g17   ? point.z

@@ -59,7 +59,9 @@ void append_pocket(std::string& out, const View& view, const Sheet& sheet, const
 void append_marks(std::string& out, const View& view, const Sheet& sheet, const Parts& parts) {
   append_start(out, view, *sheet.reference);
   append_end(out, view, *sheet.reference, 'r');
-  if (sheet.departing != nullptr) append_end(out, view, *sheet.departing, 's');
+  if (sheet.departing != nullptr && !sheet.ends_at_departure()) {
+    append_end(out, view, *sheet.departing, 's');
+  }
   append_names(out, view, sheet, parts.names);
   if (!sheet.witness) return;
   if (parts.level && looks_along(view, *parts.level->level)) {

@@ -18,17 +18,23 @@ namespace gonogo::oracle::report {
 struct Sheet {
   std::string title;  // program or case
   std::string dialect;
-  std::string verdict;              // empty: one path without a verdict
-  std::string subject;              // empty: none
-  bool lathe = false;               // Z to the right, X up
-  const Path* reference = nullptr;  // drawn first; required
-  const Path* departing = nullptr;  // the subject's; null: one path
-  std::optional<Point3> witness;    // where the subject departs
-  std::optional<Point3> expected;   // where the motion had to end
+  std::string verdict;                          // empty: one path without a verdict
+  std::string subject;                          // empty: none
+  bool lathe = false;                           // Z to the right, X up
+  const Path* reference = nullptr;              // drawn first; required
+  const Path* departing = nullptr;              // the subject's; null: one path
+  std::optional<Point3> witness;                // where the subject departs
+  std::optional<Point3> expected;               // where the motion had to end
   std::optional<std::size_t> expected_motion;   // of the reference, which was due
   std::optional<std::size_t> departing_motion;  // of the subject
-  std::uint64_t block = 0;          // of the departure; 0: none
-  std::vector<Limit> limits;        // walls of pockets, and how far the tool may go
+  std::uint64_t block = 0;                      // of the departure; 0: none
+  std::vector<Limit> limits;                    // walls of pockets, and how far the tool may go
+
+  // Whether nothing of the subject is known behind its departure: a run may have been stopped
+  // there. REQUIRES: there are two paths.
+  bool ends_at_departure() const {
+    return departing_motion && *departing_motion + 1 >= departing->motions.size();
+  }
 };
 
 // A well-formed SVG document without external parts. Colours can be changed from outside by the

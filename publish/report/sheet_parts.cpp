@@ -254,8 +254,9 @@ void append_names(std::string& out, const Sheet& sheet, double x, double y) {
   svg::append_text(out, {x, y + 42}, "gs-text", line);
   std::string motions = fmt::format("{} motions", moving(*sheet.reference));
   if (sheet.departing != nullptr) {
-    motions = fmt::format("Reference {} motions, subject {}", moving(*sheet.reference),
-                          moving(*sheet.departing));
+    motions = fmt::format("Reference {} motions, subject {}{}", moving(*sheet.reference),
+                          moving(*sheet.departing),
+                          sheet.ends_at_departure() ? " up to its departure" : "");
   }
   if (!sheet.verdict.empty()) {
     svg::append_text(out, {x, y + 60}, "gs-name", "Verdict " + shortened(sheet.verdict, 40));

@@ -122,7 +122,7 @@ Json scope_json(const RunScope& scope) {
                  {"counting", CycleTable::kCounting}};
   for (const CycleTable::Row& row : table.rows) {
     cycles["rows"].push_back(
-        {{"cycle", row.cycle}, {"dialect", row.dialect}, {"cases", row.cases}});
+        {{"cycle", row.cycle}, {"name", table.name(row)}, {"cases", row.cases}});
   }
   return {{"features", features},
           {"cycles", cycles},

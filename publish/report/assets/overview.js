@@ -61,7 +61,7 @@ function showCycles() {
   if (rows.length === 0) return;
   const shown = columns.map((name, i) => i).filter((i) => used[i]);
   const body = rows.map((row) => el('tr', { class: row.cases[2] > 0 ? 'fails' : null },
-    el('th', { scope: 'row', class: 'mono' }, casesButton(row.cycle, () => { byId('by-cycle').value = row.cycle; })),
+    el('th', { scope: 'row', class: 'mono' }, casesButton(row.name, () => { byId('by-cycle').value = row.cycle; })),
     ...shown.map((i) => el('td', { class: 'number' }, count(row.cases[i])))));
   byId('headline').append(el('details', { id: 'by-cycles', open: rows.length <= 20 ? '' : null },
     el('summary', {}, `${counted(rows.length, 'cycle', 'cycles')}`),
