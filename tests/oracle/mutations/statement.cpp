@@ -55,9 +55,13 @@ void sort_within_blocks(std::vector<Function>& all, auto&& record_of) {
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::find_if(first, all.end(),
                                    [&](const Function& one) { return !is_of_block(*first, one); });
-    std::stable_sort(first, last, [&](const Function& a, const Function& b) {
+    const auto is_before = [&](const Function& a, const Function& b) {
       return record_of(a).m < record_of(b).m;
-    });
+    };
+    // std::stable_sort warns under clang-19.
+    for (auto next = first; next != last; ++next) {
+      std::rotate(std::upper_bound(first, next, *next, is_before), next, next + 1);
+    }
     first = first == last ? first + 1 : last;
   }
 }
