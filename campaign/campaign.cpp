@@ -19,7 +19,7 @@ namespace {
 // A subject that dies before its first record in each of so many first cases never worked: its
 // command is wrong, and the run says nothing about what it implements.
 constexpr std::size_t kDeadOnArrival = 5;
-// Of one that has said who it is: it may be right of other programs.
+// A subject that has said who it is may have run other programs right.
 constexpr std::size_t kDeadAfterGreeting = 20;
 constexpr std::size_t kLongestNotes = 1000;
 

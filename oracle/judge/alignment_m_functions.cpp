@@ -161,8 +161,7 @@ bool Alignment::waits_for_m_function(Hypothesis& from, const Motion& motion, Sta
   if (is_negligible(from, motion, step.place)) {
     stay(std::move(from), motion, stage);
   } else if (is_end(step.what)) {
-    Verdict verdict = motion_too_many(motion, step.what);
-    refute(std::move(from), motion, std::move(verdict));
+    refute(std::move(from), motion, motion_too_many(motion, step.what));
   } else {
     refute_missing(std::move(from), *due, record_text(motion.record), motion.number);
   }

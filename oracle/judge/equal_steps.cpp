@@ -4,8 +4,8 @@
 // are the reference's own, and none is so small that it could be negligible, each of them is the
 // whole of a step by every rule: it is enough to compare the records. The first that is anything
 // else goes the whole way.
-#include "oracle/motion/plain_line.hpp"
 #include "oracle/judge/program_judge.hpp"
+#include "oracle/motion/plain_line.hpp"
 
 namespace gonogo::oracle {
 

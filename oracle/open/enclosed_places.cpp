@@ -48,7 +48,7 @@ region::LevelMotion level_motion_near(const Motion& motion, const reference::Pla
   return part;
 }
 
-// Ends, centre and so the radius of an arc, each off on two axes.
+// The ends and the centre of an arc, and so its radius, may each be off on two axes.
 Number slack_of_enclosures(const Motion& motion, const reference::PlaneAxes& axes) {
   const bool is_any = is_enclosed(motion.to()[axes.p]) || is_enclosed(motion.to()[axes.q]) ||
                       is_enclosed(motion.from[axes.p]) || is_enclosed(motion.from[axes.q]) ||

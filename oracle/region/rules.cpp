@@ -134,7 +134,7 @@ LevelVerdict LevelJudge::judge() {
       sequences_.emplace_back(terms_.plunge - terms_.middle, *terms_.step, far,
                               enclose(terms_.tolerance).inf() / kBlur);
     };
-    // Of two places, either as far off as the slack.
+    // Each of two places may be as far off as the slack.
     begin(reach - Number(2) * terms_.slack);
     if (terms_.slack.sign() != 0) begin(reach + Number(2) * terms_.slack);
   }

@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "campaign/encoding.hpp"
-#include "oracle/records/followed_readings.hpp"
 #include "oracle/records/text.hpp"
 #include "publish/evidence/compare_parts.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
+#include "publish/report/summary.hpp"
 
 namespace gonogo::oracle::evidence {
 
@@ -87,10 +87,7 @@ void note_incomplete(const Side& side, Comparison& comparison) {
 
 std::string followed_by(const Side& side) {
   const auto& footer = side.reader().footer();
-  const Json all = footer ? footer->value("assignments", Json::array()) : Json::array();
-  std::vector<std::string> assignments;
-  for (const Json& one : all) assignments.push_back(one.is_string() ? one.get<std::string>() : "");
-  const std::string followed = followed_readings(assignments);
+  const std::string followed = report::Summary::follows(footer ? &*footer : nullptr);
   return followed.empty() ? "no reading mattered" : followed;
 }
 

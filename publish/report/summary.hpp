@@ -46,9 +46,11 @@ class Summary {
   Json finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const;
   const RunScope& scope() const { return scope_; }
 
+  // What the readings of a run's footer say of its subject (followed_readings); null: no footer.
+  static std::string follows(const Json* footer);
+
  private:
   static Json coordinates(const Json* footer);
-  static std::string follows(const Json* footer);
   Json headline(const Json& header, const Json* footer, std::uint64_t bad_lines) const;
   bool is_whole(const RunConditions& conditions, const Json* footer) const;
   Json matrix() const;
