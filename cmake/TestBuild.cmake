@@ -1,6 +1,7 @@
-# How a test program is built: what it tests is optimised as ever, its own text hardly, and the headers
-# that nearly every test has are compiled once. clang-tidy reads the tests without them
-# (GONOGO_TEST_HEADERS=OFF), so that a header that a test forgets is missed there.
+# How a test program is built: what it tests is optimised as ever, its own text hardly (under the sanitizers, whose
+# checks are most of it, not at all: two fifths of the compiler's time), and the headers that nearly every test has are
+# compiled once. clang-tidy reads the tests without them (GONOGO_TEST_HEADERS=OFF), so that a header that a test
+# forgets is missed there.
 option(GONOGO_TEST_HEADERS "Precompiled headers for the tests" ON)
 
 include(CheckLinkerFlag)
@@ -9,7 +10,7 @@ if(GONOGO_HAS_MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
 
-set(GONOGO_TEST_OPTIONS -Og)
+set(GONOGO_TEST_OPTIONS $<IF:$<CONFIG:Fuzz>,-O0,-Og>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # g++ 12 sees these in the standard library, and behind precompiled headers no longer knows where.
   list(APPEND GONOGO_TEST_OPTIONS
