@@ -67,7 +67,7 @@ std::string answer_text(const relation::Answer& answer) {
     put("clause", reference::clause(answer.clause).id);
   }
   if (decision(answer.kind) == Decision::go) return text;
-  if (answer.record) put("record", std::to_string(*answer.record));
+  put("record", oracle::record_number(answer.record));
   put("want", answer.want);
   put("got", answer.got);
   if (!answer.distance.empty()) put("distance", answer.distance + " mm");

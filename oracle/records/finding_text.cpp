@@ -246,6 +246,10 @@ std::string clause_with_sentence(const std::string& id) {
 
 }  // namespace
 
+std::string record_number(const std::optional<std::uint64_t>& record) {
+  return record ? std::to_string(*record + 1) : std::string();
+}
+
 std::string deviation_text(const FindingFacts& facts) {
   if (facts.deviation_exact.empty()) return {};
   // A long fraction or a root tells people nothing that the decimal does not.
@@ -276,7 +280,7 @@ std::vector<FindingPart> finding_parts(const FindingFacts& facts) {
       {Form::fact, "clause", clause_with_sentence(facts.clause)},
       {Form::fact, "basis", facts.basis == "text" ? "" : facts.basis},
       {Form::fact, "line", facts.blocks.empty() ? place(facts.block) : std::string()},
-      {Form::fact, "record", place(facts.record)},
+      {Form::fact, "record", record_number(facts.record)},
       {Form::fact, "deviation", deviation_text(facts)},
       {Form::fact, "witness", facts.witness},
       {Form::fact, "GO under", facts.reading.empty() ? "" : "--reading " + facts.reading},

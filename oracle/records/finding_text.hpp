@@ -50,6 +50,8 @@ struct FindingPart {
   std::string what;  // the name of a fact or a command
   std::string text;
 };
+// The place of a record, which data count from 0 and people, as lines, from 1; empty: none.
+std::string record_number(const std::optional<std::uint64_t>& record);
 // "0.5 mm (exactly 1/2)"; empty: none.
 std::string deviation_text(const FindingFacts& facts);
 std::vector<FindingPart> finding_parts(const FindingFacts& facts);

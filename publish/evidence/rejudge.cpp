@@ -8,6 +8,7 @@
 #include "campaign/encoding.hpp"
 #include "campaign/results_reader.hpp"
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/records/finding_text.hpp"
 #include "oracle/records/trace_reader.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
@@ -108,8 +109,7 @@ std::string difference(const Json& line, const CaseRow& row, const Verdict& now)
   }
   const auto record = report::count_of(line, "record");
   if (now.record != record) {
-    return differs("record", record ? std::to_string(*record) : "",
-                   now.record ? std::to_string(*now.record) : "");
+    return differs("record", record_number(record), record_number(now.record));
   }
   if (now.want != row.want) return differs("motion wanted", row.want, now.want);
   if (now.got != row.got) return differs("motion got", row.got, now.got);

@@ -324,5 +324,13 @@ TEST(Causes, are_kept_beside_the_results_and_gone_with_the_next_run) {
   std::filesystem::remove_all(folder);
 }
 
+// Data count records from 0 (docs/formats.md); people count them as they count lines.
+TEST(FindingText, the_first_record_is_number_1) {
+  Verdict verdict;
+  verdict.record = 0;
+  EXPECT_NE(finding_text(finding_facts(verdict), "").find("record     1\n"), std::string::npos);
+  EXPECT_EQ(record_number(std::nullopt), "");
+}
+
 }  // namespace
 }  // namespace gonogo::oracle
