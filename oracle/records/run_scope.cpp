@@ -287,13 +287,19 @@ std::string RunScope::head(std::string_view decision, std::size_t most) const {
 }
 
 std::string RunScope::short_head(std::string_view decision) const {
-  constexpr std::string_view kDot = " \xC2\xB7 ";
   constexpr std::size_t kMostNames = 4;
   std::string text(decision);
-  const std::string features =
-      decision == kNoGo ? failing_features(kMostNames) : go_features(kMostNames, Fold::number);
-  if (!features.empty()) text.append(kDot).append(features);
-  text.append(kDot).append(score());
+  const auto put = [&](std::string_view name, const std::string& names) {
+    if (!names.empty()) text += fmt::format(" \xC2\xB7 {}{}", name, names);
+  };
+  if (decision == kNoGo) {
+    const std::size_t most = kMostNames / std::max<std::size_t>(1, features_.size());
+    put("", failing_features(kMostNames));
+    put("GO: ", go_features(std::max<std::size_t>(1, most), Fold::first));
+  } else {
+    put("", go_features(kMostNames, Fold::number));
+  }
+  put("", score());
   if (all_.advised > 0) text += ", " + counted(all_.advised, "advice", "advices");
   if (all_.known > 0) text += fmt::format(", {} known to fail", grouped(all_.known));
   if (all_.skipped > 0) text += fmt::format(", {} not claimed", grouped(all_.skipped));

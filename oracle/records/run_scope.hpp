@@ -89,7 +89,8 @@ class RunScope {
   // "NO-GO: g94 of gsk988ta fails 252 of 878 cases; GO: basic of gsk988ta; 593 of 865 judged are
   // GO". `most`: names of features of a dialect; the others are counted.
   std::string head(std::string_view decision, std::size_t most = kAll) const;
-  // The same in less room: "GO · basic, g94 of gsk988ta · 156 judged, 5,085 not claimed".
+  // The same in less room: "GO · basic, g94 of gsk988ta · 156 judged, 5,085 not claimed"; of a
+  // NO-GO the first features that fail and the first that are GO.
   std::string short_head(std::string_view decision) const;
 
   // Whether a feature of each dialect is GO.

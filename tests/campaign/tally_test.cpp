@@ -104,8 +104,8 @@ TEST(Tally, ANoGoSaysWhatFailedAndWhatDidNot) {
             "NO-GO: g94 of gsk988ta fails 1 of 2 cases, g110 1 of 1; GO: basic of gsk988ta; 2 of 4 "
             "judged are GO");
   EXPECT_EQ(no_go.scope.short_head("NO-GO"),
-            "NO-GO \xC2\xB7 g94 of gsk988ta fails 1 of 2 cases, g110 1 of 1 \xC2\xB7 2 of 4 judged "
-            "are GO");
+            "NO-GO \xC2\xB7 g94 of gsk988ta fails 1 of 2 cases, g110 1 of 1 \xC2\xB7 GO: basic of "
+            "gsk988ta \xC2\xB7 2 of 4 judged are GO");
 }
 
 // The feature that fails most stands first, and a line for a terminal names but a few.
@@ -125,6 +125,24 @@ TEST(Tally, TheHeadLineBeginsWithWhatFailsMostAndFoldsLongLists) {
   EXPECT_EQ(no_go.head, failing + ", g88, g89, g90 of gsk988ta; 11 of 14 judged are GO");
   EXPECT_EQ(no_go.folded_head,
             failing + " and 3 more features of gsk988ta; 11 of 14 judged are GO");
+  EXPECT_EQ(no_go.scope.short_head("NO-GO"),
+            "NO-GO \xC2\xB7 g110 of gsk988ta fails 2 of 2 cases, arc 1 of 1 \xC2\xB7 GO: g80, g81, "
+            "g82, g83 and 7 more features of gsk988ta \xC2\xB7 11 of 14 judged are GO");
+}
+
+// A badge has little room: of many dialects it names fewer features each.
+TEST(Tally, TheShortHeadNamesAFeatureOfEachDialectThatIsGo) {
+  std::vector<CaseFacts> cases = {of_feature("a", VerdictKind::fail_geometry, "g94")};
+  for (const char* dialect : {"hnc21t", "rs274"}) {
+    for (const char* feature : {"arc", "basic", "g74", "g80"}) {
+      cases.push_back(of_feature(dialect + std::string(feature), VerdictKind::pass_exact, feature));
+      cases.back().head.dialect = dialect;
+    }
+  }
+  EXPECT_EQ(
+      answer(cases).scope.short_head("NO-GO"),
+      "NO-GO \xC2\xB7 g94 of gsk988ta fails 1 of 1 case \xC2\xB7 GO: arc and 3 more features of "
+      "hnc21t; arc and 3 more features of rs274 \xC2\xB7 8 of 9 judged are GO");
 }
 
 // Nearly every case needs basic: it is to blame where nothing else can be, and GO only without a
