@@ -218,7 +218,7 @@ bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
     if (is_negligible(from, motion, step.place)) {
       stay(std::move(from), motion, stage);
     } else {
-      refute(from, motion, before_renaming(motion, step.what));
+      refute(from, motion, before_renaming(motion, step, tolerances_));
     }
     return false;
   }
@@ -267,7 +267,7 @@ bool Alignment::meet_last(Hypothesis& from, const Motion& motion, Stage& stage) 
     stay(from, motion, stage);
     return false;
   }
-  Verdict verdict = motion_too_many(motion, step.what);
+  Verdict verdict = motion_too_many(motion, step, tolerances_);
   if (go_on_behind_end(from, verdict)) return true;
   refute(Refutation{from, motion, {}, std::move(verdict), late_dwell(step.what)});
   return false;

@@ -56,10 +56,11 @@ struct Hypothesis {
 };
 
 // J-CMP-12. What departs is out of order where a record follows that `shows` it, which `message`
-// says. Null: nothing shows it.
+// says. Null: nothing shows it. `verdict`: on that, where something else departs then.
 struct OtherOrder {
   std::function<bool(const Record&)> shows = nullptr;
   std::string_view message = {};
+  std::optional<Verdict> verdict = {};
 };
 
 // Why a hypothesis does not explain a motion, a dwell or an end: a verdict, or how the motion
@@ -140,6 +141,7 @@ class Alignment {
   // In alignment_m_functions.cpp.
   const DueMFunction* overdue_at(std::size_t step);
   bool waits_for_m_function(Hypothesis& from, const Motion& motion, Stage& stage);
+  bool is_undue(const Motion& motion, const ReferenceSteps::Step& step) const;
   void refute_missing(Hypothesis from, const DueMFunction& due, std::string got,
                       std::size_t number);
   MFunction meet_m_function(Hypothesis& from, const Record& record, std::size_t number);

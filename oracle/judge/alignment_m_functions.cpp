@@ -8,6 +8,7 @@
 
 #include "oracle/judge/alignment.hpp"
 #include "oracle/judge/mismatch.hpp"
+#include "oracle/motion/progress.hpp"
 #include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
@@ -102,25 +103,33 @@ void Alignment::refute_m_function(Hypothesis from, const Record& record, std::si
   }
 }
 
-// J-CMP-12: where it is due behind the cut that the subject has left unfinished, the cut is short,
-// or goes on behind it.
+// J-CMP-12: where it is due behind a cut that the subject has left unfinished, the cut is short, or
+// goes on behind it; behind a motion that has not begun, this is missing, or comes behind it.
 void Alignment::refute_early(Hypothesis from, const Record& record, std::size_t number) {
+  const ReferenceSteps::Step& step = step_of(from);
+  Verdict early = m_function_too_early(record, number, step_text(step.what));
   const auto behind = steps_.waiting(step_behind(from).m_functions);
-  if (!from.piece || behind.empty() || !is_told(behind.front(), record)) {
-    const ReferenceStep& due = step_of(from).what;
-    OtherOrder late = late_dwell(due);
-    Verdict verdict = late.shows ? m_function_for_dwell(due, record, number)
-                                 : m_function_too_early(record, number, step_text(due));
+  const bool is_next = !behind.empty() && is_told(behind.front(), record);
+  if (OtherOrder late = late_dwell(step.what); late.shows) {
+    Verdict verdict = m_function_for_dwell(step.what, record, number);
     return refute(
         Refutation{std::move(from), std::nullopt, {}, std::move(verdict), std::move(late)});
   }
-  OtherOrder goes_on = {[from, number](const Record& next) {
+  if (!std::holds_alternative<Motion>(step.what) || (from.piece && !is_next)) {
+    return refute(std::move(from), std::move(early));
+  }
+  const std::shared_ptr<const Curve> curve = from.curve ? from.curve : steps_.curve_of(step);
+  OtherOrder goes_on = {[from, curve, number](const Record& next) {
                           const Motion motion = motion_from(from.at, next, number);
                           return is_motion(next.kind) &&
-                                 !from.curve->follow(from.progress, motion).departs();
+                                 !curve->follow(from.progress, motion).departs();
                         },
                         kComesEarly};
-  Verdict verdict = short_of(from.curve->motion(), *from.piece);
+  Verdict verdict = ends_early(from, step.what, number, record_text(record));
+  if (!from.piece) {
+    verdict.message = "This motion is missing: an M function behind it comes.";
+    goes_on.verdict = std::move(early);
+  }
   refute(Refutation{std::move(from), std::nullopt, {}, std::move(verdict), std::move(goes_on)});
 }
 
@@ -154,6 +163,19 @@ const DueMFunction* Alignment::overdue(const Hypothesis& from) {
   return is_ignored ? nullptr : overdue_at(from.step);
 }
 
+// Whether the motion is none that comes behind the M function which is due: one of an earlier
+// block, or without lines one that does not lead towards the end of the next.
+bool Alignment::is_undue(const Motion& motion, const ReferenceSteps::Step& step) const try {
+  if (tolerances_.compare_blocks) {
+    return steps_.is_in_order() && motion.record.block < step.block;
+  }
+  const auto* const next = std::get_if<Motion>(&step.what);
+  return next != nullptr && steps_.curve_of(step)->follow({}, motion).departs() &&
+         !comes_nearer(motion, next->to(), tolerances_.tolerance);
+} catch (const exact::Undecided&) {
+  return false;
+}
+
 bool Alignment::waits_for_m_function(Hypothesis& from, const Motion& motion, Stage& stage) {
   const DueMFunction* due = overdue(from);
   if (due == nullptr) return false;
@@ -161,7 +183,9 @@ bool Alignment::waits_for_m_function(Hypothesis& from, const Motion& motion, Sta
   if (is_negligible(from, motion, step.place)) {
     stay(std::move(from), motion, stage);
   } else if (is_end(step.what)) {
-    refute(std::move(from), motion, motion_too_many(motion, step.what));
+    refute(std::move(from), motion, motion_too_many(motion, step, tolerances_));
+  } else if (is_undue(motion, step)) {
+    refute(std::move(from), motion, motion_for_m_function(*due, motion, step, tolerances_));
   } else {
     refute_missing(std::move(from), *due, record_text(motion.record), motion.number);
   }

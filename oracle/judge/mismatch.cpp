@@ -144,36 +144,63 @@ Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_
   return verdict;
 }
 
-Verdict before_renaming(const Motion& motion, const ReferenceStep& step) {
+namespace {
+
+// What is said of a motion that is not due, with the farthest place that it leads to, and how far
+// that is from where the tool has to stay.
+Verdict undue(const Motion& motion, const ReferenceSteps::Step& step, const Tolerances& tolerances,
+              std::string_view sentence) {
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
-  verdict.message = "The subject moves where the position gets another name, and no motion is due.";
+  verdict.message = sentence;
   verdict.block = motion.record.block;
   verdict.record = motion.number;
-  verdict.want = step_text(step);
+  verdict.want = step_text(step.what);
   verdict.got = record_text(motion.record);
   verdict.witness = place_text(motion.to());
+  Motion stay;
+  stay.from = stay.record.to = step.place;
+  stay.record.kind = RecordKind::feed;
+  try {
+    const Curve place(stay, tolerances);
+    const Apart far = place.farthest(place.apart({}, motion), {}, motion);
+    verdict.witness = place_text(far.at);
+    tell_distance(verdict, far.distance, far.at, step.place, tolerances.tolerance);
+  } catch (const exact::Undecided&) {
+  }
   return verdict;
 }
 
-Verdict motion_too_many(const Motion& motion, const ReferenceStep& step) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_overrun;
-  verdict.message = "All motions of the program have come, and the subject makes another one.";
-  verdict.block = motion.record.block;
-  verdict.clause = clause_of(step);
-  verdict.record = motion.number;
-  verdict.want = step_text(step);
-  verdict.got = record_text(motion.record);
-  verdict.witness = place_text(motion.to());
-  if (std::holds_alternative<reference::AlarmReport>(step)) {
-    verdict.kind = VerdictKind::fail_geometry;
-    verdict.message = "The subject moves before the block that alarms, and no motion is due.";
-  } else if (dwell_of(step) != nullptr) {
-    verdict.kind = VerdictKind::fail_geometry;
-    verdict.rule = RelationRule::event;
-    verdict.message = "The subject moves where a dwell is due.";
-  }
+}  // namespace
+
+Verdict before_renaming(const Motion& motion, const ReferenceSteps::Step& step,
+                        const Tolerances& tolerances) {
+  return undue(motion, step, tolerances,
+               "The subject moves where the position gets another name, and no motion is due.");
+}
+
+Verdict motion_too_many(const Motion& motion, const ReferenceSteps::Step& step,
+                        const Tolerances& tolerances) {
+  const bool alarms = std::holds_alternative<reference::AlarmReport>(step.what);
+  const bool dwells = dwell_of(step.what) != nullptr;
+  Verdict verdict =
+      undue(motion, step, tolerances,
+            alarms   ? "The subject moves before the block that alarms, and no motion is due."
+            : dwells ? "The subject moves where a dwell is due."
+                     : "All motions of the program have come, and the subject makes another one.");
+  verdict.clause = clause_of(step.what);
+  if (dwells) verdict.rule = RelationRule::event;
+  if (!alarms && !dwells) verdict.kind = VerdictKind::fail_overrun;
+  return verdict;
+}
+
+Verdict motion_for_m_function(const DueMFunction& due, const Motion& motion,
+                              const ReferenceSteps::Step& step, const Tolerances& tolerances) {
+  Verdict verdict = undue(motion, step, tolerances,
+                          "The subject moves where an M function is due, and no motion.");
+  verdict.clause = due.record.clause;
+  verdict.rule = RelationRule::event;
+  verdict.want = record_text(due.record);
   return verdict;
 }
 
@@ -203,12 +230,7 @@ std::string values_of(const Record& want, const Record& got) {
   if (want.kind == RecordKind::thread) {
     return reference::with_values(" It is {} mm in place of {}.", {got.lead, want.lead});
   }
-  const auto unit = [](const Record& record) {
-    return record.feed_mode == reference::FeedMode::per_revolution ? "mm/rev" : "mm/min";
-  };
-  return reference::with_values(
-      fmt::format(" It is {{}} {} in place of {{}} {}.", unit(got), unit(want)),
-      {got.feed, want.feed});
+  return feed_in_place_of(got, want.feed, want.feed_mode);
 }
 
 // What it may come from.

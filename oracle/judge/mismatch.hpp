@@ -21,9 +21,13 @@ Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_
                    const std::string& got);
 
 // A motion where none is due: before a renaming of the position; before a dwell, in an earlier
-// block than an alarm, or behind the end.
-Verdict before_renaming(const Motion& motion, const ReferenceStep& step);
-Verdict motion_too_many(const Motion& motion, const ReferenceStep& step);
+// block than an alarm, or behind the end; before an M function.
+Verdict before_renaming(const Motion& motion, const ReferenceSteps::Step& step,
+                        const Tolerances& tolerances);
+Verdict motion_too_many(const Motion& motion, const ReferenceSteps::Step& step,
+                        const Tolerances& tolerances);
+Verdict motion_for_m_function(const DueMFunction& due, const Motion& motion,
+                              const ReferenceSteps::Step& step, const Tolerances& tolerances);
 Verdict m_function_for_dwell(const ReferenceStep& due, const Record& got, std::size_t number);
 
 // R5. Whether the dwell is the one that is due; and what is said of one that is not.

@@ -78,14 +78,18 @@ bool ProgramJudge::record(const Record& record) {
   return !is_decided();
 }
 
-void ProgramJudge::look_for_order(const Record& record) {
+void ProgramJudge::look_for_order(const Record& record) try {
   if (other_order_.shows(record)) {
+    const std::uint64_t block = verdict_->block;
+    if (other_order_.verdict) verdict_ = std::move(other_order_.verdict);
+    if (verdict_->block == 0) verdict_->block = block;
     verdict_->kind = VerdictKind::fail_order;
     verdict_->message = other_order_.message;
     other_order_ = {};
   } else if (++looked_at_ == kLookAhead) {
     other_order_ = {};
   }
+} catch (const exact::Undecided&) {  // whether this one shows it stays open
 }
 
 void ProgramJudge::decide_too_many(const Record& record) {

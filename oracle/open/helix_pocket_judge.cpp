@@ -101,8 +101,10 @@ OpenStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion
     return OpenStepAnswer::gap(result.gap, result.reason);
   Verdict verdict;
   if (result.departure == Departure::feed) {
-    verdict = departure_from(VerdictKind::fail_feed, "GSK-G112-08"_clause, motion,
-                             helix_text(item_), "The feed of the pocket differs.");
+    verdict =
+        departure_from(VerdictKind::fail_feed, "GSK-G112-08"_clause, motion, helix_text(item_),
+                       "The feed of the pocket differs." +
+                           feed_in_place_of(motion.record, item_.feed, item_.feed_mode));
   } else {
     verdict = departure_from(VerdictKind::fail_geometry, clause(), motion, helix_text(item_),
                              result.reason);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/open/open_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "oracle/steps/step_text.hpp"
+#include "reference/compared.hpp"
 
 namespace gonogo::oracle {
 
@@ -35,6 +38,16 @@ Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motio
     verdict.witness = point_text(motion.to(), {Axis::x, Axis::y, Axis::z});
   }
   return verdict;
+}
+
+std::string feed_in_place_of(const reference::Record& got, const Number& feed,
+                             reference::FeedMode mode) {
+  const auto unit = [](reference::FeedMode one) {
+    return one == reference::FeedMode::per_revolution ? "mm/rev" : "mm/min";
+  };
+  return reference::with_values(
+      fmt::format(" It is {{}} {} in place of {{}} {}.", unit(got.feed_mode), unit(mode)),
+      {got.feed, feed});
 }
 
 Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,

@@ -90,6 +90,10 @@ bool turns_rotary_axis(const Position& from, const Position& to, const Number& t
 Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
                        std::string want, std::string message);
 
+// " It is 250 mm/min in place of 200 mm/min.", behind a sentence that says what differs.
+std::string feed_in_place_of(const reference::Record& got, const Number& feed,
+                             reference::FeedMode mode);
+
 // One of what was put out so far: it shows at a place.
 Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
                       std::string want, const Position& at, std::string message);

@@ -108,7 +108,10 @@ OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   const Record& record = motion.record;
   if (motions_.empty()) plunge_ = motion.from;
   if (!agree(motion.to()[axes_.d], level_.depth, tolerances_.tolerance)) {
-    return departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.");
+    OpenStepAnswer answer =
+        departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.");
+    set_deviation(answer.verdict, exact::abs(motion.to()[axes_.d] - level_.depth));
+    return answer;
   }
   if (turns_rotary_axis(motion, tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, motion, "A rotary axis moves in a level.");
@@ -117,7 +120,9 @@ OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
     return departs(VerdictKind::fail_region, motion, "The arc lies in another plane.");
   }
   if (!feeds_agree(level_.feed, level_.feed_mode, record, tolerances_)) {
-    return departs(VerdictKind::fail_feed, motion, "The feed of the level differs.");
+    return departs(
+        VerdictKind::fail_feed, motion,
+        "The feed of the level differs." + feed_in_place_of(record, level_.feed, level_.feed_mode));
   }
   if (!again_.allows(motion)) {
     return departs(VerdictKind::fail_overrun, motion, std::string(kMilledTooOften));

@@ -11,6 +11,7 @@
 #include "oracle/region/gouge.hpp"
 #include "oracle/steps/step_text.hpp"
 #include "reference/clause_literal.hpp"
+#include "reference/compared.hpp"
 
 namespace gonogo::oracle {
 
@@ -194,12 +195,51 @@ bool PocketMillingJudge::admits_depth(const Number& depth) const {
   if (due_place(depth)) return true;
   if (item_.levels != Levels::open && !item_.one_level) return false;
   if (item_.finishing && !has_strip()) return true;
-  const Number& above = first_ ? item_.reference_plane : last_depth_;
-  return depth >= above - item_.infeed - tau;
+  return depth >= deepest_infeed() - tau;
+}
+
+Number PocketMillingJudge::deepest_infeed() const {
+  return (first_ ? item_.reference_plane : last_depth_) - item_.infeed;
+}
+
+// With the levels that are due, or how deep this one may be.
+OpenStepAnswer PocketMillingJudge::wrong_depth(const Motion& motion) const {
+  using reference::with_values;
+  const Number& tau = tolerances_.tolerance;
+  const bool is_named = item_.levels != Levels::open && !item_.one_level;
+  std::string text =
+      with_values("The depth of the level is none that the infeed admits. It is {}", {depth_});
+  Number due = item_.floor;
+  if (depth_ < item_.floor - tau) {
+    text += with_values(", below the floor at {}.", {item_.floor});
+  } else if (!is_named) {
+    due = max(deepest_infeed(), item_.floor);
+    text += with_values("; it may be from {} to {}.", {last_depth_, due});
+  } else {
+    const Number count = item_.level_count();
+    const Number next = min(next_level_, count);
+    const Number last = min(next + 2, count);  // of those that are told
+    due = item_.depth_of_level(next);
+    text += with_values(next == last ? "; due is {}" : "; due are {}", {due});
+    for (Number place = next + 1; place <= last; place += 1) {
+      text += with_values(", {}", {item_.depth_of_level(place)});
+    }
+    text += last < count ? ", ..." : ".";
+  }
+  return departs(VerdictKind::fail_geometry, "SIE-LC75-06"_clause, motion, std::move(text),
+                 exact::abs(depth_ - due));
 }
 
 bool PocketMillingJudge::is_point() const {
   return max(reach_.core_p, reach_.core_q) + reach_.radius <= tolerances_.tolerance;
+}
+
+Number PocketMillingJudge::from_centre(const Position& at, const Number& depth) const try {
+  const Number beside =
+      max(exact::abs(at[axes_.p] - item_.centre[0]), exact::abs(at[axes_.q] - item_.centre[1]));
+  return max(beside, exact::abs(at[axes_.d] - depth));
+} catch (const exact::Undecided&) {
+  return 0;
 }
 
 bool PocketMillingJudge::above_centre(const Position& at) const {

@@ -8,6 +8,7 @@
 #include "oracle/region/constants.hpp"
 #include "oracle/steps/step_text.hpp"
 #include "reference/clause_literal.hpp"
+#include "reference/compared.hpp"
 
 namespace gonogo::oracle {
 
@@ -61,17 +62,31 @@ PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, con
 
 Verdict PocketMillingJudge::incomplete(const Position& position) const {
   if (floor_fault_ && !floor_done_) return *floor_fault_;
-  return fault_of_step(VerdictKind::fail_geometry,
-                       floor_done_ ? "SIE-LC75-13"_clause : item_.clause, item_.block,
-                       pocket_text(item_), position,
-                       floor_done_ ? "The cycle does not end above the centre at the retract plane."
-                                   : "The pocket is not milled to its floor.");
+  if (floor_done_) {
+    Verdict verdict = fault_of_step(
+        VerdictKind::fail_geometry, "SIE-LC75-13"_clause, item_.block, pocket_text(item_), position,
+        "The cycle does not end above the centre at the retract plane.");
+    set_deviation(verdict, from_centre(position, item_.retract));
+    return verdict;
+  }
+  const Number depth = first_ ? item_.top() : last_depth_;
+  Verdict verdict = fault_of_step(
+      VerdictKind::fail_geometry, item_.clause, item_.block, pocket_text(item_), position,
+      reference::with_values(first_ ? "The pocket is not milled to its floor. No level is milled "
+                                      "between {} and {}."
+                                    : "The pocket is not milled to its floor. It is milled to {} "
+                                      "in place of {}.",
+                             {depth, item_.floor}));
+  set_deviation(verdict, depth - item_.floor);
+  return verdict;
 }
 
 OpenStepAnswer PocketMillingJudge::departs(VerdictKind kind, reference::ClauseId clause,
-                                           const Motion& motion, std::string message) const {
+                                           const Motion& motion, std::string message,
+                                           const Number& off) const {
   Verdict verdict = departure_from(kind, clause, motion, pocket_text(item_), std::move(message));
   verdict.block = item_.block;
+  set_deviation(verdict, off);
   return OpenStepAnswer::decide(std::move(verdict));
 }
 
@@ -206,7 +221,8 @@ OpenStepAnswer PocketMillingJudge::take_along_plane(const Motion& motion) {
   }
   if (!is_a_cut) return take_travel(motion);
   return departs(VerdictKind::fail_feed, "SIE-LC75-04"_clause, motion,
-                 "The feed in the plane differs.");
+                 "The feed in the plane differs." +
+                     feed_in_place_of(motion.record, item_.plane_feed, item_.feed_mode));
 }
 
 bool PocketMillingJudge::is_near_cleared(const Number& depth) const {
@@ -252,7 +268,7 @@ OpenStepAnswer PocketMillingJudge::take_cut(const Motion& motion) {
   }
   if (!agree(motion.to()[axes_.d], depth_, tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
-                   "The cut leaves the level's depth.");
+                   "The cut leaves the level's depth.", exact::abs(motion.to()[axes_.d] - depth_));
   }
   return collect(motion);
 }
@@ -295,22 +311,22 @@ OpenStepAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
   if (motion.record.kind == RecordKind::rapid) {
     return departs(VerdictKind::fail_region, clause, motion, "The tool traverses into the part.");
   }
-  if (motion.record.kind != RecordKind::feed || !above_centre(motion.from) ||
-      !above_centre(motion.to())) {
+  const Position& off = above_centre(motion.to()) ? motion.from : motion.to();
+  if (motion.record.kind != RecordKind::feed || !above_centre(off)) {
     return departs(VerdictKind::fail_geometry, clause, motion,
-                   "The infeed is not at the centre of the pocket.");
+                   "The infeed is not at the centre of the pocket.",
+                   from_centre(off, off[axes_.d]));
   }
   if (!has_feed(motion, item_.depth_feed)) {
-    return departs(VerdictKind::fail_feed, clause, motion, "The feed of the infeed differs.");
+    return departs(VerdictKind::fail_feed, clause, motion,
+                   "The feed of the infeed differs." +
+                       feed_in_place_of(motion.record, item_.depth_feed, item_.feed_mode));
   }
   return OpenStepAnswer::take();
 }
 
 OpenStepAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
-  if (!admits_depth(depth_)) {
-    return departs(VerdictKind::fail_geometry, "SIE-LC75-06"_clause, motion,
-                   "The depth of the level is none that the infeed admits.");
-  }
+  if (!admits_depth(depth_)) return wrong_depth(motion);
   if (!item_.finishing || !is_floor(depth_)) return OpenStepAnswer::take();
   const OpenStepAnswer answer =
       arrival_ ? check_plunge(*arrival_)
@@ -328,7 +344,8 @@ OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
   // R8: no clause leads above R101.
   if (motion.to()[axes_.d] > item_.retract + tau && motion.to()[axes_.d] > motion.from[axes_.d]) {
     return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
-                   "The tool leaves the cycle's planes: it moves above R101.");
+                   "The tool leaves the cycle's planes: it moves above R101.",
+                   motion.to()[axes_.d] - item_.retract);
   }
   const Number lowest = min(motion.from[axes_.d], motion.to()[axes_.d]);
   // What is finished was cleared down to the reference plane: above it is air.

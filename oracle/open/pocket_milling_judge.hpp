@@ -70,10 +70,16 @@ class PocketMillingJudge : public OpenStep {
   OpenStepAnswer check_contour_only(const Motion& next) const;
   void note_floor_cut(const Motion& motion);
   OpenStepAnswer level_fault(const region::Finding& finding, const Position& at) const;
+  // `off`: how far, where that is a length.
   OpenStepAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
-                         std::string message) const;
+                         std::string message, const Number& off = 0) const;
+  OpenStepAnswer wrong_depth(const Motion& motion) const;
 
   bool is_floor(const Number& depth) const;
+  // From the centre at a depth, along the axis where it is farthest; 0: that is not known.
+  Number from_centre(const Position& at, const Number& depth) const;
+  // How deep a level may be behind the last one, where no list names it.
+  Number deepest_infeed() const;
   // Whether a level that is not as the floor must be is one just above it.
   bool may_be_above_floor() const;
   bool admits_depth(const Number& depth) const;

@@ -84,7 +84,8 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
     return OpenStepAnswer::gap(result.gap, result.reason);
   if (result.departure == Departure::feed) {
     return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
-                 "The feed of the thread differs.");
+                 "The feed of the thread differs." +
+                     feed_in_place_of(motion.record, item_.feed, item_.feed_mode));
   }
   const Record& record = motion.record;
   const bool on_the_way = phase_ == Phase::helix;

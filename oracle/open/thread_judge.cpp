@@ -95,7 +95,8 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
   if (is_cut(motion.record.kind) &&
       !feeds_agree(item_.feed, item_.feed_mode, motion.record, tolerances_)) {
     return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
-                 "The feed of the thread differs.");
+                 "The feed of the thread differs." +
+                     feed_in_place_of(motion.record, item_.feed, item_.feed_mode));
   }
   position_ = motion.to();
   // J-THR-01: steps are bounded by the thread's geometry, not by the number of pieces.

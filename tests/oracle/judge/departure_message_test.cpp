@@ -284,6 +284,25 @@ TEST(DepartureMessage, AMotionBehindAllIsOfTheLastBlockThatMoves) {
   EXPECT_EQ(verdict.block, 2U);
 }
 
+// From Z-28 back to Z5.
+TEST(DepartureMessage, AMotionTooManyHasItsDistance) {
+  const Verdict verdict = judge_trace("G00 X130 Z5\nG01 Z-28 F100\nM30\n", one_too_many().text());
+  expect(verdict, {VerdictKind::fail_overrun, 2, "", "33",
+                   "All motions of the program have come, and the subject makes another one."});
+  EXPECT_EQ(verdict.witness, R"({"x":"65","y":"0","z":"5"})");
+}
+
+// A circle of radius 5 from (10, 0) about (5, 0), which ends where it began: (0, 0) is 10 away.
+TEST(DepartureMessage, ACircleTooManyIsMarkedWhereItIsFarthestOff) {
+  TraceText trace(1);
+  trace.rapid({{'x', 10}}).block(1, 100);
+  trace.arc("G17", {{'x', 5}, {'y', 0}}, 1, {{'x', 10}, {'y', 0}});
+  const Verdict verdict = judge_trace("G0 X10\nM2\n", trace.text(), of("rs274"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_overrun) << verdict.message;
+  EXPECT_EQ(verdict.witness, R"({"x":"0","y":"0","z":"0"})");
+  EXPECT_EQ(verdict.deviation_mm, "10");
+}
+
 // J-CMP-12. By hand: 7/3 = 2.3333..., the root of 2 = 1.41421356237...
 TEST(DepartureMessage, AWitnessIsPrintedWithNineDecimalsBesideItsExactText) {
   EXPECT_EQ(point_for_people(R"({"x":"65","z":"4.9"})"), R"({"x":"65","z":"4.9"})");

@@ -86,6 +86,50 @@ TEST(EventOrder, WhatStopsSomethingComesBehindACut) {
   }
 }
 
+// J-CMP-12: what departs is the motion. Z9 is 4 from where line 1 leaves the tool.
+TEST(EventOrder, AMotionTooManyBeforeAnMFunctionIsWhatDeparts) {
+  const std::string program = "G01 X0 Z5 F100\nM5\nG00 Z2\n";
+  for (const bool blocks : {true, false}) {
+    const Verdict verdict = judged_trace(program, {"F1,0,5", "R1,0,9", "M2,5", "R3,0,2"},
+                                         {.blocks = blocks, .m = true, .dialect = "gsk988ta"});
+    EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+    EXPECT_EQ(verdict.message, "The subject moves where an M function is due, and no motion.");
+    EXPECT_EQ(verdict.record, 1U);
+    EXPECT_EQ(verdict.deviation_exact, "4");
+    EXPECT_EQ(verdict.witness, R"({"x":"0","y":"0","z":"9"})");
+    if (blocks) {
+      EXPECT_EQ(verdict.block, 1U);
+    }
+  }
+}
+
+// One that leads on as the program does, without the M function: this is missing, or late.
+TEST(EventOrder, AnMFunctionThatIsLeftOutIsWhatDeparts) {
+  const std::string program = "G01 X0 Z5 F100\nM5\nG00 Z2\n";
+  for (const bool blocks : {true, false}) {
+    const Verdict verdict = judged_trace(program, {"F1,0,5", "R3,0,2"},
+                                         {.blocks = blocks, .m = true, .dialect = "gsk988ta"});
+    EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+    EXPECT_EQ(verdict.block, 2U);
+  }
+}
+
+TEST(EventOrder, AMotionThatIsMissingBeforeAnMFunctionIsWhatDeparts) {
+  const std::string program = "G01 X0 Z5 F100\nG00 Z2\nM5\nG00 Z1\n";
+  for (const bool blocks : {true, false}) {
+    const Judging judging = {.blocks = blocks, .m = true, .dialect = "gsk988ta"};
+    const Verdict missing = judged_trace(program, {"F1,0,5", "M3,5", "R4,0,1"}, judging);
+    EXPECT_EQ(missing.kind, VerdictKind::fail_geometry) << missing.message;
+    EXPECT_EQ(missing.message, "This motion is missing: an M function behind it comes.");
+    EXPECT_EQ(missing.block, 2U);
+    EXPECT_EQ(missing.witness, R"({"x":"0","y":"0","z":"5"})");
+    const Verdict early = judged_trace(program, {"F1,0,5", "M3,5", "R2,0,2", "R4,0,1"}, judging);
+    EXPECT_EQ(early.kind, VerdictKind::fail_order) << early.message;
+    EXPECT_EQ(early.message, "An M function comes before it is due.");
+    EXPECT_EQ(early.block, blocks ? 3U : 2U);
+  }
+}
+
 // No text orders the M functions of a block of SINUMERIK among themselves.
 TEST(EventOrder, MFunctionsOfOneBlockHaveNoOrderAmongThemselves) {
   for (const std::string_view dialect : {"sinumerik840d", "sinumerik802s"}) {

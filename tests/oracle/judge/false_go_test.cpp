@@ -155,7 +155,8 @@ TEST(FalseGo, TheApproachOfAPocketBelongsToItsBlock) {
   for (const int block : {1, 2, 3}) {
     EXPECT_EQ(message_of(block), "The motion belongs to another block.") << block;
   }
-  EXPECT_EQ(message_of(4), "The pocket is not milled to its floor.");
+  EXPECT_EQ(message_of(4),
+            "The pocket is not milled to its floor. No level is milled between 0 and -2.");
 }
 
 // Six hundred chords of 0.262 mm and a sagitta of 0.0001. The last four as one: 1.05 mm and 0.0014,

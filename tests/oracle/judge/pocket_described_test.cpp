@@ -47,6 +47,50 @@ TEST(DescribedMotions, ALiftAboveR101BetweenLevelsIsNoGo) {
   EXPECT_EQ(reference::clause_name(verdict.clause), "SIE-LC75-13");
 }
 
+// J-CMP-12. 7.5 deep in infeeds of at most 4 are two of 3.75; the reading says that they are equal.
+TEST(DescribedMotions, ALevelAtAnotherDepthIsToldWithThoseThatAreDue) {
+  const Job job;
+  const auto judged = [&](const Miller& miller, std::string_view levels) {
+    return judge_records(job.program(), miller.records(),
+                         {true, profile_802s({{"sie.infeed", levels}})});
+  };
+  Miller high(job);
+  high.approach().plunge(-3).contour_parallel();
+  const Verdict named = judged(high, "equal");
+  EXPECT_EQ(
+      named.message,
+      "The depth of the level is none that the infeed admits. It is -3; due are -3.75, -7.5.");
+  EXPECT_EQ(named.deviation_exact, "0.75");
+  Miller deep(job);
+  deep.approach().plunge(-5).contour_parallel();
+  const Verdict open = judged(deep, "any");
+  EXPECT_NE(open.message.find("It is -5; "), std::string::npos) << open.message;
+  EXPECT_FALSE(open.deviation_exact.empty());
+  Miller below(job);
+  below.approach().plunge(-4).contour_parallel().plunge(-7.75).contour_parallel();
+  EXPECT_NE(judged(below, "any").message.find("It is -7.75, below the floor at -7.5."),
+            std::string::npos);
+}
+
+TEST(DescribedMotions, AFeedThatDiffersIsToldWithTheOneThatIsDue) {
+  const Job job;
+  Miller miller(job);
+  miller.approach().feed_down(100).plunge(-4).contour_parallel();
+  EXPECT_EQ(judge(miller, job).message,
+            "The feed of the infeed differs. It is 100 mm/min in place of 120 mm/min.");
+}
+
+// The second level is missing: 7.5 deep, the first one is at 4.
+TEST(DescribedMotions, APocketThatEndsAboveItsFloorIsToldWithBothDepths) {
+  const Job job;
+  Miller miller(job);
+  miller.approach().plunge(-4).contour_parallel().end();
+  const Verdict verdict = judge(miller, job);
+  EXPECT_EQ(verdict.message,
+            "The pocket is not milled to its floor. It is milled to -4 in place of -7.5.");
+  EXPECT_EQ(verdict.deviation_exact, "3.5");
+}
+
 Job wall_only() {
   Job job;
   job.ways = "R126=2 R127=2";
