@@ -538,6 +538,39 @@ test('Back leads from a case to the report', () => withPage(results, async (page
   await shows(page, '#detail h2', id);
 }));
 
+// 24 cycles of one case each; of the third and the last the case is NO-GO.
+function resultsOfCycles() {
+  const [header, ...lines] = readFileSync(results, 'utf8').trimEnd().split('\n');
+  const go = lines.map((line) => JSON.parse(line)).find(({ verdict }) => verdict === 'pass-exact');
+  const cases = Array.from({ length: 24 }, (none, i) => ({ ...go, id: `gsk.c${String(i).padStart(2, '0')}`, cycle: `g${70 + i}`,
+    verdict: i === 2 || i === 23 ? 'fail.geometry' : 'pass-exact' }));
+  const file = join(work, 'cycles.jsonl');
+  writeFileSync(file, `${[header, ...cases.map((one) => JSON.stringify(one))].join('\n')}\n`);
+  return file;
+}
+
+for (const width of [1400, 1144, 400]) {
+  test(`of many cycles those that fail stand open under the head line, at ${width} pixels`, () => withPage(resultsOfCycles(), async (page) => {
+    await page.setViewportSize({ width, height: 900 });
+    const place = (selector) => page.locator(selector).first().boundingBox();
+    const [words, table, totals] = [await place('#headline .words'), await place('#by-cycles'), await place('#totals')];
+    assert.ok(table.y >= words.y + words.height && table.y + table.height <= totals.y);
+    assert.ok(table.x <= (await place('#decision')).x);
+    const seen = () => page.locator('#by-cycles th[scope=row]:visible').allInnerTexts();
+    assert.deepEqual(await seen(), ['g72', 'g93']);
+    assert.equal(await text(page, '#by-cycles summary'), '22 cycles without a NO-GO');
+    await page.locator('#by-cycles summary').click();
+    assert.equal((await seen()).length, 24);
+    await page.locator('#by-cycles summary').click();
+    // Nobody can unfold paper.
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    assert.equal((await seen()).length, 24);
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.equal((await seen()).length, 2);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+  }));
+}
+
 for (const [what, hash] of [['the overview', ''], ['a case', atCase('gsk.g94.000002')]]) {
   test(`${what} is no wider than a phone`, () => withPage(results, async (page) => {
     await page.setViewportSize({ width: 400, height: 900 });

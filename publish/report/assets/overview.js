@@ -55,17 +55,20 @@ function showHeadline() {
   document.title = `${headline.decision} \u2013 ${name || 'GoNoGo'} \u2013 GoNoGo report`;
 }
 
-// The cycles under the head line, those that fail first.
+// The cycles under the head line: those that fail, and the others, which fold.
 function showCycles() {
   const { columns, used, rows, others, counting } = summary.scope.cycles;
   if (rows.length === 0) return;
   const shown = columns.map((name, i) => i).filter((i) => used[i]);
-  const body = rows.map((row) => el('tr', { class: row.cases[2] > 0 ? 'fails' : null },
+  const tableOf = (some) => table(['Cycle', ...shown.map((i) => columns[i])], some.map((row) => el('tr', {},
     el('th', { scope: 'row', class: 'mono' }, casesButton(row.name, () => { byId('by-cycle').value = row.cycle; })),
-    ...shown.map((i) => el('td', { class: 'number' }, count(row.cases[i])))));
-  byId('headline').append(el('details', { id: 'by-cycles', open: rows.length <= 20 ? '' : null },
-    el('summary', {}, `${counted(rows.length, 'cycle', 'cycles')}`),
-    table(['Cycle', ...shown.map((i) => columns[i])], body),
+    ...shown.map((i) => el('td', { class: 'number' }, count(row.cases[i]))))));
+  const failing = rows.filter((row) => row.cases[2] > 0);
+  const further = rows.filter((row) => row.cases[2] === 0);
+  byId('headline').append(el('div', { id: 'by-cycles' },
+    failing.length > 0 && el('div', { class: 'fails' }, tableOf(failing)),
+    further.length > 0 && el('details', { open: rows.length <= 20 },
+      el('summary', {}, counted(further.length, 'cycle', 'cycles'), failing.length > 0 && ' without a NO-GO'), tableOf(further)),
     rows.length > 1 && el('p', { class: 'note' }, counting),
     others && el('p', { class: 'note' }, `Nothing judged: ${others}.`)));
 }

@@ -62,7 +62,7 @@ function layOutForPrint() {
   }
   byId('gaps').before(box);
   // Nobody can unfold paper.
-  for (const details of document.querySelectorAll('#gaps details:not([open]), details.head:not([open])')) {
+  for (const details of document.querySelectorAll('#gaps details:not([open]), #headline details:not([open])')) {
     details.open = true;
     details.dataset.folded = '';
   }
@@ -71,7 +71,7 @@ function layOutForPrint() {
 function layOutForScreen() {
   if (location.hash === '#print') return;
   byId('printed')?.remove();
-  for (const details of document.querySelectorAll('#gaps details[data-folded], details.head[data-folded]')) {
+  for (const details of document.querySelectorAll('#gaps details[data-folded], #headline details[data-folded]')) {
     details.open = false;
     delete details.dataset.folded;
   }
