@@ -54,13 +54,13 @@ std::string swept(const View& view, const Path& path, const PocketFloor& level) 
 
 namespace {
 
-// The border at the depth of a place between the floor and where the levels begin; nothing of a
-// place above, where nothing is milled.
+// The border at the depth of a place: at its level, or between the floor and where levels begin
+// that the manual leaves open; elsewhere nothing is milled.
 std::optional<Limit> at_depth_of(Limit border, const Point3& place) {
   PocketFloor& level = *border.level;
   const double depth = depth_of(place, level.plane);
-  if (!level.top || depth <= level.depth) return border;
-  if (depth >= *level.top) return std::nullopt;
+  if (is_at(level, place)) return border;
+  if (!level.top || depth < level.depth || depth >= *level.top) return std::nullopt;
   level.depth = depth;
   for (Point3& point : border.points) {
     (level.plane == reference::Plane::g17   ? point.z

@@ -30,9 +30,13 @@ double width_of_name(std::string_view name) {
 
 struct NameSpot {
   SheetPoint foot;
-  bool at_end = false;  // the text ends there
+  bool at_end = false;   // the text ends there
+  bool upright = false;  // it is read from the right
 
   SheetBox box(double width) const {
+    if (upright) {
+      return {foot.x - kNameAscent, at_end ? foot.y : foot.y - width, kNameHeight, width};
+    }
     return {at_end ? foot.x - width : foot.x, foot.y - kNameAscent, width, kNameHeight};
   }
 };
@@ -45,8 +49,11 @@ std::size_t take_spot(TextRoom& room, const std::vector<NameSpot>& spots, double
 
 void append_name(std::string& out, const NameSpot& spot, const std::string& name,
                  const std::string& attributes = {}) {
-  svg::append_text(out, spot.foot, "gs-point", name,
-                   (spot.at_end ? "text-anchor=\"end\" " : "") + attributes);
+  const std::string turn = fmt::format("transform=\"rotate(-90 {} {})\" ", svg::number(spot.foot.x),
+                                       svg::number(spot.foot.y));
+  svg::append_text(
+      out, spot.foot, "gs-point", name,
+      (spot.at_end ? "text-anchor=\"end\" " : "") + (spot.upright ? turn : "") + attributes);
 }
 
 // Along a line from the right end of the field: above it, then below.
@@ -60,12 +67,16 @@ std::vector<NameSpot> spots_along(const SheetBox& field, double y, double width)
   return spots;
 }
 
-// Along an upright line from the top of the field: to its right, then to its left.
+// Along an upright line from the top of the field: to its right, then to its left, and upright
+// between lines that leave no more room.
 std::vector<NameSpot> spots_upright(const SheetBox& field, double x) {
   std::vector<NameSpot> spots;
-  for (double y = field.y + kNameAscent; y < field.y + field.height; y += kNextPlace) {
-    spots.push_back({{x + kFromPlane, y}, false});
-    spots.push_back({{x - kFromPlane, y}, true});
+  for (const bool upright : {false, true}) {
+    const double right = kFromPlane + (upright ? kNameAscent : 0);
+    for (double y = field.y + kNameAscent; y < field.y + field.height; y += kNextPlace) {
+      spots.push_back({{x + right, y}, upright, upright});
+      spots.push_back({{x - kFromPlane, y}, true, upright});
+    }
   }
   return spots;
 }

@@ -134,8 +134,10 @@ class SheetView {
     path.setAttribute('d', level ? `M${field.x} ${y}h${field.width}` : `M${x} ${field.y}v${field.height}`);
     // As far along the line as on the sheet, which may be longer.
     const along = aside * Math.min(1, level ? field.width / this.from.width : field.height / this.from.height);
-    text.setAttribute('x', level ? field.x + field.width - Math.max(4, along) : x + off);
-    text.setAttribute('y', level ? y + off : field.y + Math.max(10, along));
+    const place = level ? [field.x + field.width - Math.max(4, along), y + off] : [x + off, field.y + Math.max(10, along)];
+    text.setAttribute('x', place[0]);
+    text.setAttribute('y', place[1]);
+    if (text.hasAttribute('transform')) text.setAttribute('transform', `rotate(-90 ${place.join(' ')})`);  // upright
   }
 
   // Numbers of one direction, so far apart that no two of them meet.

@@ -3,9 +3,12 @@
 // What a sheet shows besides its paths: pockets, names, motions side by side, small departures.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "publish/report/case_detail.hpp"
 #include "publish/report/deflate.hpp"
 #include "publish/report/page_paths.hpp"
+#include "publish/report/pocket_area.hpp"
 #include "publish/report/sheet.hpp"
 #include "publish/report/unfolded.hpp"
 #include "tests/publish/report/report_testing.hpp"
@@ -41,6 +44,23 @@ TEST(SheetExtras, a_pocket_shows_its_wall_and_what_the_tool_cuts_leaves_and_goug
   // In one view only, the one along the depth.
   EXPECT_EQ(occurrences(svg, "<clipPath"), 1U);
   EXPECT_NE(svg.find("tool \xC3\x98 8"), std::string::npos);
+}
+
+// Levels from Z0 down to the floor at Z-5: a departure elsewhere says nothing of any of them.
+TEST(SheetExtras, the_area_of_a_pocket_is_drawn_at_the_depth_of_the_departure_or_not_at_all) {
+  const auto profile = case_profile("sinumerik802s", {{"tools", {{"1", {{"radius", "5"}}}}}});
+  const auto limits = limits_of_program(
+      std::get<reference::Profile>(profile),
+      "T1 D1 M3 S100\nR101=5 R102=2 R103=0 R104=-5 R116=0 R117=0 R118=60 R119=40 R120=8 R121=4\n"
+      "R122=100 R123=200 R124=0 R125=0 R126=2 R127=1\nG0 X0 Y0 Z20\nLCYC75\nM2\n");
+  ASSERT_FALSE(limits.empty());
+  const auto depth_at = [&](double z) -> std::optional<double> {
+    const auto level = level_shown(limits, 5, Point3{0, 0, z});
+    return level ? std::optional(level->level->depth) : std::nullopt;
+  };
+  EXPECT_EQ(depth_at(-5), -5);
+  EXPECT_EQ(depth_at(-2), -2);
+  for (const double outside : {0.0, 0.25, 5.0, -5.5}) EXPECT_FALSE(depth_at(outside)) << outside;
 }
 
 // The taper of the manual: A at the start, B at Z -40 = C + R, C at Z -30, D back on Z of A.
@@ -146,6 +166,59 @@ TEST(SheetExtras, planes_lie_at_the_values_of_their_parameters_in_every_cycle) {
       EXPECT_DOUBLE_EQ(names.planes[i].at, cycle.planes[i].second) << cycle.program;
     }
   }
+}
+
+// Where a plane is seen as a line, and its name: "M70 60h500", "v90" of an upright line.
+struct SeenPlane {
+  double x, y, way;
+  bool level;
+  SheetBox name;
+};
+
+// Letters of names are at least 6 pixels wide and 8 high.
+std::vector<SeenPlane> seen_planes(const std::string& view) {
+  static const std::regex kPlane(
+      R"re(gs-plane" d="M(\S+) ([^hv]+)([hv])([^"]+)"/><text x="(\S+)" y="(\S+)" class="gs-point" ([^>]*)>([^<]+)<)re");
+  std::vector<SeenPlane> planes;
+  for (std::sregex_iterator at(view.begin(), view.end(), kPlane), end; at != end; ++at) {
+    const auto number = [&](std::size_t part) { return std::stod((*at)[part]); };
+    const std::string how = (*at)[7];
+    const double width = 6 * static_cast<double>((*at)[8].length());
+    const bool ends = how.find("anchor=\"end\"") != std::string::npos;
+    const SheetBox lying{number(5) - (ends ? width : 0), number(6) - 8, width, 8};
+    const SheetBox upright{number(5) - 8, number(6) - (ends ? 0 : width), 8, width};
+    planes.push_back({number(1), number(2), number(4), (*at)[3] == "h",
+                      how.find("rotate") != std::string::npos ? upright : lying});
+  }
+  return planes;
+}
+
+TEST(SheetExtras, the_name_of_a_plane_lies_on_the_line_of_no_plane) {
+  std::size_t names = 0;
+  for (const Labelled& cycle : labelled()) {
+    const auto profile = case_profile(cycle.dialect, {{"tools", {{"1", {{"radius", "5"}}}}}});
+    const DrawnPath drawn = reference_path(std::get<reference::Profile>(profile), cycle.program);
+    Sheet sheet;
+    sheet.reference = &drawn.path;
+    sheet.block = cycle.line;
+    sheet.lathe = is_lathe(cycle.dialect);
+    const std::string svg = svg_sheet(sheet);
+    for (std::size_t from = svg.find("<g data-view"); from != std::string::npos;) {
+      const std::size_t next = svg.find("<g data-view", from + 1);
+      const std::vector<SeenPlane> planes = seen_planes(svg.substr(from, next - from));
+      names += planes.size();
+      for (const SeenPlane& named : planes) {
+        for (const SeenPlane& line : planes) {
+          const SheetBox& box = named.name;
+          const bool crosses = line.level ? box.y < line.y && line.y < box.y + box.height
+                                          : box.x < line.x && line.x < box.x + box.width;
+          EXPECT_FALSE(crosses) << cycle.program << line.x << ' ' << line.y;
+        }
+      }
+      from = next;
+    }
+  }
+  EXPECT_GT(names, 2 * labelled().size());
 }
 
 // A at (X30, Z5), C at (X20, Z-30), the taper 4: on X for the cycles that cut along Z, on Z for
