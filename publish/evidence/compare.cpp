@@ -105,7 +105,7 @@ void note_differences(const Side& before, const Side& after, Comparison& compari
   }
   if (const std::string a = followed_by(before), b = followed_by(after); a != b) {
     comparison.notes.push_back(
-        fmt::format("The readings that explain everything that passed differ: {} before; {} now.",
+        fmt::format("The readings that explain everything that passed differ. Before: {}. Now: {}.",
                     visible(a), visible(b)));
   }
 }

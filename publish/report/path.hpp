@@ -60,6 +60,11 @@ struct Path {
   std::vector<Motion> motions;    // one a record, in order
   std::vector<Names> names = {};  // of the cycles that are run, in order
   bool cut = false;               // more records or segments than are drawn
+
+  // Whether the program's end is among the records.
+  bool is_ended() const {
+    return !motions.empty() && (motions.back().kind == "end" || motions.back().kind == "alarm");
+  }
 };
 
 inline constexpr std::size_t kMaxRecords = 20'000;

@@ -59,7 +59,8 @@ void append_pocket(std::string& out, const View& view, const Sheet& sheet, const
 void append_marks(std::string& out, const View& view, const Sheet& sheet, const Parts& parts) {
   append_start(out, view, *sheet.reference);
   append_end(out, view, *sheet.reference, 'r');
-  if (sheet.departing != nullptr && !sheet.ends_at_departure()) {
+  // A run may have been stopped where it departs, or soon behind.
+  if (sheet.departing != nullptr && sheet.departing->is_ended()) {
     append_end(out, view, *sheet.departing, 's');
   }
   append_names(out, view, sheet, parts.names);

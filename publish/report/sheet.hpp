@@ -30,8 +30,7 @@ struct Sheet {
   std::uint64_t block = 0;                      // of the departure; 0: none
   std::vector<Limit> limits;                    // walls of pockets, and how far the tool may go
 
-  // Whether nothing of the subject is known behind its departure: a run may have been stopped
-  // there. REQUIRES: there are two paths.
+  // Whether nothing of the subject is recorded behind its departure. REQUIRES: there are two paths.
   bool ends_at_departure() const {
     return departing_motion && *departing_motion + 1 >= departing->motions.size();
   }

@@ -256,7 +256,9 @@ void append_names(std::string& out, const Sheet& sheet, double x, double y) {
   if (sheet.departing != nullptr) {
     motions = fmt::format("Reference {} motions, subject {}{}", moving(*sheet.reference),
                           moving(*sheet.departing),
-                          sheet.ends_at_departure() ? " up to its departure" : "");
+                          sheet.departing->is_ended() ? ""
+                          : sheet.ends_at_departure() ? " up to its departure"
+                                                      : " as far as recorded");
   }
   if (!sheet.verdict.empty()) {
     svg::append_text(out, {x, y + 60}, "gs-name", "Verdict " + shortened(sheet.verdict, 40));

@@ -161,7 +161,7 @@ function goTo(owner, index) {
   if (s.timelineOf !== owner) drawTimeline(byId('timeline'), s.lists[owner], s.data.b, owner === 's' ? s.data.record : s.data.wanted);
   s.timelineOf = owner;
   const name = owner === 'r' ? 'reference' : 'subject';
-  byId('position').textContent = s.lists[owner].length > 0 ? `${name} ${s.at[owner] + 1} of ${s.last[owner] + 1}` : `${name}: no records`;
+  byId('position').textContent = s.lists[owner].length > 0 ? placeText(s, owner, s.at[owner]) : `${name}: no records`;
   byId('back').disabled = byId('first').disabled = s.at[owner] <= 0;
   byId('forward').disabled = byId('last').disabled = s.at[owner] >= s.last[owner];
   drawSteps(s);

@@ -52,11 +52,16 @@ function timeline(s, slider) {
   return el('div', { class: 'timeline' }, node, slider);
 }
 
+// Where one stands in a path. A run may have been stopped where it departs: then the path has no end.
+function placeText(s, owner, index) {
+  const ended = owner === 'r' || ['end', 'alarm'].includes(s.lists.s.at(-1)?.[0]);
+  return `${owner === 'r' ? 'reference' : 'subject'} ${index + 1} of ${s.last[owner] + 1}${ended ? '' : ' recorded'}`;
+}
+
 // What a slider's value means.
 function recordText(s, owner, index) {
-  const name = owner === 'r' ? 'reference' : 'subject';
   const record = s.lists[owner][index];
-  if (!record) return `${name}: no records`;
+  if (!record) return `${owner === 'r' ? 'reference' : 'subject'}: no records`;
   const departing = index === (owner === 's' ? s.data.record : s.data.wanted);
-  return [`${name} ${index + 1} of ${s.last[owner] + 1}`, record[0], record[1] > 0 && `line ${record[1]}`, departing && 'the departure'].filter(Boolean).join(', ');
+  return [placeText(s, owner, index), record[0], record[1] > 0 && `line ${record[1]}`, departing && 'the departure'].filter(Boolean).join(', ');
 }
