@@ -538,12 +538,13 @@ test('Back leads from a case to the report', () => withPage(results, async (page
   await shows(page, '#detail h2', id);
 }));
 
-// 24 cycles of one case each; of the third and the last the case is NO-GO.
+// 24 cycles of one case each; of the third and the last the case is NO-GO. Of the first, one more is
+// skipped and one not covered.
 function resultsOfCycles() {
   const [header, ...lines] = readFileSync(results, 'utf8').trimEnd().split('\n');
   const go = lines.map((line) => JSON.parse(line)).find(({ verdict }) => verdict === 'pass-exact');
-  const cases = Array.from({ length: 24 }, (none, i) => ({ ...go, id: `gsk.c${String(i).padStart(2, '0')}`, cycle: `g${70 + i}`,
-    verdict: i === 2 || i === 23 ? 'fail.geometry' : 'pass-exact' }));
+  const cases = Array.from({ length: 26 }, (none, i) => ({ ...go, id: `gsk.c${String(i).padStart(2, '0')}`, cycle: `g${70 + i % 24}`,
+    verdict: i === 2 || i === 23 ? 'fail.geometry' : i < 24 ? 'pass-exact' : 'skip', ...(i === 25 && { expected: true }) }));
   const file = join(work, 'cycles.jsonl');
   writeFileSync(file, `${[header, ...cases.map((one) => JSON.stringify(one))].join('\n')}\n`);
   return file;
@@ -568,6 +569,8 @@ for (const width of [1400, 1144, 400]) {
     await page.evaluate(() => dispatchEvent(new Event('afterprint')));
     assert.equal((await seen()).length, 2);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+    assert.match(await text(page, '#by-cycles .fails thead'), /not\s+covered/);
+    assert.ok(await page.locator('#by-cycles .scroll').first().evaluate((box) => box.scrollWidth <= box.clientWidth));
   }));
 }
 
