@@ -1,68 +1,139 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/causes.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <map>
-#include <optional>
+#include <memory>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "campaign/selection.hpp"
 #include "fuzz/identify/attribution.hpp"
-#include "fuzz/identify/shared_causes.hpp"
 #include "oracle/records/finding.hpp"
 
 namespace gonogo::cli {
 namespace {
 
-// The case as the campaign asked for it.
-std::optional<identify::ProgramAsked> asked_in(const oracle::Corpus& corpus,
-                                               const oracle::CampaignOptions& campaign,
-                                               const std::string& id) {
+constexpr std::size_t kMostOfFinding = 8;    // cases
+constexpr std::size_t kMostRecognised = 50;  // findings that known causes are tried on
+
+using Programs = std::map<std::string, identify::ProgramAsked>;
+
+// A breakdown has no cause in the reference's terms.
+bool may_have_cause(const oracle::Finding& finding) {
+  const oracle::VerdictKind kind = finding.key.kind;
+  return oracle::is_other_answer(kind) && kind != oracle::VerdictKind::fail_reading;
+}
+
+// The smallest case of the finding, and some more.
+std::vector<std::string> ids_of(const oracle::Finding& finding) {
+  std::vector<std::string> ids = {finding.smallest.id};
+  for (const std::string& id : finding.first) {
+    if (id != ids.front() && ids.size() < kMostOfFinding) ids.push_back(id);
+  }
+  return ids;
+}
+
+// The cases as the campaign asked for them.
+Programs programs_of(const std::vector<const oracle::Finding*>& findings,
+                     const oracle::Corpus& corpus, const oracle::CampaignOptions& campaign) {
+  std::set<std::string> wanted;
+  for (const oracle::Finding* finding : findings) {
+    for (std::string& id : ids_of(*finding)) wanted.insert(std::move(id));
+  }
+  Programs programs;
   oracle::CaseReader reader(corpus, oracle::Detail::to_run, campaign.dialects);
   while (const auto test = reader.next()) {
-    if (test->id != id) continue;
-    const auto own = oracle::under(campaign, *test);
-    if (!own) return std::nullopt;
-    return identify::ProgramAsked{own->id, own->program, own->profile};
+    if (!wanted.contains(test->id)) continue;
+    if (const auto own = oracle::under(campaign, *test)) {
+      programs[own->id] = {own->id, own->program, own->profile};
+    }
   }
-  return std::nullopt;
+  return programs;
 }
+
+std::vector<identify::ProgramAsked> programs_of(const oracle::Finding& finding,
+                                                const Programs& programs) {
+  std::vector<identify::ProgramAsked> own;
+  for (const std::string& id : ids_of(finding)) {
+    if (const auto found = programs.find(id); found != programs.end()) own.push_back(found->second);
+  }
+  return own;
+}
+
+// The causes of findings, one after the other: those that are known are tried first.
+class Naming {
+ public:
+  Naming(const oracle::Corpus& corpus, const oracle::SubjectMaker& make,
+         const identify::AttributionOptions& options, std::size_t most)
+      : corpus_(corpus), make_(make), options_(options), most_(most) {}
+
+  // Throws SubjectUnusable.
+  void take(const oracle::Finding& finding, const std::vector<identify::ProgramAsked>& programs) {
+    if (programs.empty()) return;
+    const identify::LikelyCause* const known =
+        named_.empty() ? nullptr : recognise(named_, *make_(), programs, options_);
+    if (known != nullptr) {
+      asked_[finding.key] = known->name;
+    } else if (attributed_ < most_) {
+      ++attributed_;
+      const auto subject = make_();
+      const identify::LikelyCause likely =
+          likely_cause(identify::attribute(*subject, corpus_, programs.front(), options_));
+      asked_[finding.key] = likely.name;
+      if (!likely.empty()) add(likely);
+    }
+  }
+  oracle::evidence::Causes causes() const {
+    oracle::evidence::Causes causes;
+    causes.asked = asked_.size();
+    for (const auto& [key, name] : asked_) {
+      const auto cause = std::ranges::find(named_, name, &identify::LikelyCause::name);
+      if (cause != named_.end()) causes.of[key] = cause->told();
+    }
+    return causes;
+  }
+
+ private:
+  void add(const identify::LikelyCause& likely) {
+    const auto same = std::ranges::find(named_, likely.name, &identify::LikelyCause::name);
+    same == named_.end() ? named_.push_back(likely) : same->add(likely);
+  }
+
+  const oracle::Corpus& corpus_;
+  const oracle::SubjectMaker& make_;
+  const identify::AttributionOptions& options_;
+  std::size_t most_;
+  std::size_t attributed_ = 0;
+  std::vector<identify::LikelyCause> named_;
+  std::map<oracle::Finding::Key, std::string> asked_;  // the name of the cause; empty: none
+};
 
 }  // namespace
 
 oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracle::Corpus& corpus,
                                      const oracle::CampaignOptions& campaign,
                                      const oracle::SubjectMaker& make, std::size_t most) {
-  oracle::evidence::Causes causes;
   identify::AttributionOptions options;
   options.tolerance = campaign.grants.tolerance;
   options.chord = campaign.grants.chord;
   options.feed_resolution = campaign.grants.feed_resolution;
   options.most_records = kMostRecordsToExplain;
-  std::map<std::string, oracle::Cause> named;
-  std::set<std::string> names;
-  for (const oracle::Finding* finding : summary.findings.list()) {
-    const oracle::VerdictKind kind = finding->key.kind;
-    if (!oracle::is_other_answer(kind) || kind == oracle::VerdictKind::fail_reading) continue;
-    if (causes.asked == most) break;
-    ++causes.asked;
-    try {
-      const auto test = asked_in(corpus, campaign, finding->smallest.id);
-      if (!test) continue;
-      const std::unique_ptr<oracle::Subject> subject = make();
-      const std::string known = identify::known_cause(*subject, *test, names, options);
-      const oracle::Cause cause =
-          known.empty() ? likely_cause(identify::attribute(*subject, corpus, *test, options))
-                        : named[known];
-      if (cause.empty()) continue;
-      names.insert(cause.name);
-      causes.of[finding->key] = named[cause.name] = cause;
-    } catch (const std::exception&) {
-      // The run has its answer; what it comes from is a courtesy.
-      break;
+  std::vector<const oracle::Finding*> findings = summary.findings.list();
+  std::erase_if(findings, [](const auto* finding) { return !may_have_cause(*finding); });
+  if (findings.size() > most + kMostRecognised) findings.resize(most + kMostRecognised);
+  const Programs programs = programs_of(findings, corpus, campaign);
+  Naming naming(corpus, make, options, most);
+  try {
+    for (const oracle::Finding* finding : findings) {
+      naming.take(*finding, programs_of(*finding, programs));
     }
+  } catch (const std::exception&) {
+    // The run has its answer; what it comes from is a courtesy.
   }
-  return causes;
+  return naming.causes();
 }
 
 }  // namespace gonogo::cli

@@ -80,7 +80,9 @@ hunt::Causes causes_of(const Asked& asked, const std::vector<ProgramAsked>& othe
   const identify::SharedCauses found =
       find_shared_causes(*subject, asked.programs, others, explanation_options(words));
   for (const identify::SharedCause& cause : found.causes) {
-    for (const std::size_t symptom : cause.symptoms) causes[asked.signatures[symptom]] = cause.name;
+    for (const std::size_t symptom : cause.symptoms) {
+      causes[asked.signatures[symptom]] = cause.told();
+    }
   }
   return causes;
 }
@@ -134,7 +136,8 @@ hunt::HuntSummary tell_findings(const std::vector<hunt::Finding>& findings, cons
     if (!may_have_cause(finding.signature) || !finding.reproducer.before.empty()) continue;
     const generate::GeneratedProgram& program = finding.reproducer.program;
     asked.signatures.push_back(finding.signature);
-    asked.programs.push_back({"finding", program.text, program.profile});
+    asked.programs.push_back(
+        {summary.findings.back().symptoms.front().folder, program.text, program.profile});
   }
   std::vector<ProgramAsked> others;
   for (generate::GeneratedProgram& program : pool.programs()) {
@@ -153,7 +156,7 @@ KnownMistakes::KnownMistakes(const std::string& folder, TrialWords words)
   hunt::HuntSummary summary = hunt::summarize_campaign(folder);
   group_findings(summary, hunt::read_known_causes(folder).causes);
   for (const hunt::CampaignFinding& finding : summary.findings) {
-    if (finding.stands() && !finding.cause.empty()) names_.insert(finding.cause);
+    if (finding.stands() && !finding.cause.empty()) names_.insert(finding.cause.name);
   }
 }
 

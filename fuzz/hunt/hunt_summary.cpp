@@ -8,7 +8,6 @@
 #include <set>
 #include <tuple>
 
-#include "oracle/records/finding.hpp"
 #include "oracle/records/run_scope.hpp"
 
 namespace gonogo::hunt {
@@ -80,7 +79,7 @@ void add_shard(const CampaignState& state, const fs::path& folder, HuntSummary& 
 // of an alarm or of a surplus motion is chance, and tells no findings apart.
 std::string group_of(const Symptom& symptom, const Causes& causes) {
   const auto cause = causes.find(symptom.signature);
-  if (cause != causes.end()) return "cause\n" + cause->second;
+  if (cause != causes.end()) return "cause\n" + cause->second.name;
   const Signature& one = symptom.signature;
   if (!one.undue_alarm().empty()) return "alarm\n" + one.undue_alarm();
   if (one.is_surplus()) return "surplus";
@@ -142,7 +141,8 @@ void group_findings(HuntSummary& summary, const Causes& causes) {
     for (Symptom& symptom : finding.symptoms) {
       const auto cause = causes.find(symptom.signature);
       CampaignFinding& group = groups[group_of(symptom, causes)];
-      if (cause != causes.end()) group.cause = cause->second;
+      const bool is_told = !group.cause.empty() && !symptom.stands;  // by one that stands
+      if (cause != causes.end() && !is_told) group.cause = cause->second;
       group.symptoms.push_back(std::move(symptom));
     }
   }
@@ -168,7 +168,7 @@ std::string rounds_text(const HuntSummary& summary) {
 }
 
 std::string cause_text(const CampaignFinding& finding) {
-  if (!finding.cause.empty()) return oracle::Cause{finding.cause, {}}.text();
+  if (!finding.cause.empty()) return finding.cause.text();
   const std::string none = "No one mistake that was tried explains it";
   const Signature& first = finding.symptoms.front().signature;
   if (finding.symptoms.size() == 1) return none + ".";

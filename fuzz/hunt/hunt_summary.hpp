@@ -13,6 +13,7 @@
 
 #include "fuzz/hunt/campaign_state.hpp"
 #include "fuzz/hunt/round_times.hpp"
+#include "oracle/records/finding.hpp"
 
 namespace gonogo::hunt {
 
@@ -29,10 +30,9 @@ struct Symptom {
 };
 
 struct CampaignFinding {
-  // The one mistake that explains every symptom, a sentence without its full stop. Empty: none that
-  // was tried does, and the symptoms are of one kind and one step, by its clause, or have one alarm
-  // too many, or motions too many.
-  std::string cause;
+  // The one mistake that explains every symptom. Empty: none that was tried does, and the symptoms
+  // are of one kind and one step, by its clause, or have one alarm too many, or motions too many.
+  oracle::Cause cause;
   std::vector<Symptom> symptoms;  // by gravity, then that which most programs showed
 
   bool stands() const;
@@ -62,12 +62,12 @@ struct HuntSummary {
 // Throws std::runtime_error where one cannot be read.
 HuntSummary summarize_campaign(const std::string& folder);
 
-using Causes = std::map<Signature, std::string>;
+using Causes = std::map<Signature, oracle::Cause>;
 // Symptoms of one cause become one finding; of those without, those of one kind and clause in any
 // code, those with one class of alarm that is not due, and those with a surplus motion.
 void group_findings(HuntSummary& summary, const Causes& causes);
 
-// "Behaves as if: I J K are taken as absolute.", or that there is none.
+// "Behaves as if: I J K are taken as absolute. It explains 5 of 5 ...", or that there is none.
 std::string cause_text(const CampaignFinding& finding);
 // "NGC-ARC-02 NGC-ARC-05"
 std::string clauses_text(const CampaignFinding& finding);

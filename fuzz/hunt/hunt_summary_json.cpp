@@ -42,7 +42,10 @@ Json symptom_json(const Symptom& symptom) {
 Json finding_json(const CampaignFinding& finding) {
   Json symptoms = Json::array();
   for (const Symptom& symptom : finding.symptoms) symptoms.push_back(symptom_json(symptom));
-  return {{"cause", finding.cause}, {"stands", finding.stands()}, {"faces", symptoms}};
+  return {{"cause", finding.cause.name},
+          {"evidence", finding.cause.evidence},
+          {"stands", finding.stands()},
+          {"faces", symptoms}};
 }
 
 }  // namespace
@@ -76,7 +79,8 @@ KnownCauses read_known_causes(const std::string& folder) try {
       const Signature signature{
           json.at("dialect").get<std::string>(), *kind, symptom.at("clause").get<std::string>(),
           symptom.at("what").get<std::string>(), symptom.at("code").get<std::string>()};
-      const auto cause = finding.at("cause").get<std::string>();
+      const oracle::Cause cause{finding.at("cause").get<std::string>(),
+                                finding.value("evidence", std::string())};
       if (!cause.empty()) known.causes[signature] = cause;
       known.asked.insert(signature);
     }

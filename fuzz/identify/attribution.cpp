@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kMostBytes = 4'000;
 constexpr std::size_t kMostPartial = 10;
-constexpr std::size_t kTriedFirst = 8;  // departures: what explains none of them explains few others
+constexpr std::size_t kTriedFirst =
+    8;  // departures: what explains none of them explains few others
 constexpr std::size_t kMostTried = 12;  // mistakes on further programs, except equals
 
 class Attributor {
@@ -65,6 +66,7 @@ bool Attributor::count(const Variant& variant, const Observation& seen, Cause& c
   const Fit fit = explainer_.fit(variant, seen);
   if (fit == Fit::no) return false;
   ++(!seen.departs() ? cause.passes : fit == Fit::full ? cause.departures : cause.cut_short);
+  if (seen.departs() && fit == Fit::full) cause.explained.push_back(seen.id);
   return true;
 }
 
@@ -225,15 +227,23 @@ bool contradict(const std::vector<Cause>& equal) {
 bool is_likely(const Cause& cause, const Attribution& all) {
   constexpr std::size_t kChance = 1;  // departures for which some word misread always serves
   if (cause.is_misread && cause.departures <= kChance) return false;
-  return cause.is_misread ? 4 * cause.departures >= 3 * all.departures
-                          : 2 * cause.departures > all.departures;
+  return is_most(cause.is_misread, cause.departures, all.departures);
+}
+
+// The departures that the cause does not explain in full.
+std::vector<std::string> left_over(const Attribution& all, const Cause& cause) {
+  std::vector<std::string> ids;
+  for (const Observation& seen : all.programs) {
+    const bool is_explained = std::ranges::find(cause.explained, seen.id) != cause.explained.end();
+    if (seen.departs() && !is_explained) ids.push_back(seen.id);
+  }
+  return ids;
 }
 
 }  // namespace
 
-oracle::Cause likely_cause(const Attribution& all) {
+LikelyCause likely_cause(const Attribution& all) {
   constexpr std::size_t kFew = 3;  // departures that tell few mistakes apart
-  constexpr std::size_t kShownRivals = 3;
   std::vector<Cause> equal;
   std::ranges::copy_if(all.complete, std::back_inserter(equal),
                        [&](const Cause& cause) { return is_likely(cause, all); });
@@ -245,16 +255,8 @@ oracle::Cause likely_cause(const Attribution& all) {
   if (equal.empty() || (equal.size() > kFew && all.departures < kFew)) return {};
   if (contradict(equal)) return {};
   const Cause& first = equal.front();
-  oracle::Cause likely{first.name,
-                       fmt::format("It explains {} of {} departures that were tried, and "
-                                   "that {} programs pass.",
-                                   first.departures, all.departures, first.passes)};
-  if (equal.size() == 1) return likely;
-  likely.evidence += " As much is explained by:";
-  for (std::size_t i = 1; i < equal.size() && i <= kShownRivals; ++i) {
-    likely.evidence += fmt::format("{} {}", i == 1 ? "" : ";", equal[i].name);
-  }
-  likely.evidence += equal.size() > kShownRivals + 1 ? "; and others." : ".";
+  LikelyCause likely{first.name, first.explained, left_over(all, first), first.passes, {}};
+  for (std::size_t i = 1; i < equal.size(); ++i) likely.rivals.push_back(equal[i].name);
   return likely;
 }
 

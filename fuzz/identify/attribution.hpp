@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "corpus/io/corpus.hpp"
-#include "fuzz/identify/explanation.hpp"
-#include "oracle/records/finding.hpp"
+#include "fuzz/identify/likely_cause.hpp"
 
 namespace gonogo::identify {
 
@@ -27,6 +26,7 @@ struct Cause {
   std::string opposite = {};   // as of the variant
   bool is_misread = false;     // as of the variant
   std::size_t place = 0;       // among the mistakes that were tried, the simplest first
+  std::vector<std::string> explained = {};  // the departures, by their ids
 };
 
 struct Attribution {
@@ -49,7 +49,7 @@ Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
 // The simplest of those that explain most. Empty: no mistake explains more than half of what
 // departs, three quarters of it and two programs where a word or a code is misread, and all that
 // passes; or too many do for what was seen.
-oracle::Cause likely_cause(const Attribution& attribution);
+LikelyCause likely_cause(const Attribution& attribution);
 
 std::string attribution_text(const Attribution& attribution);
 

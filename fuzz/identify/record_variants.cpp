@@ -280,7 +280,8 @@ void add_kinds(const Motions& motions, Variants& out) {
 
 void add_record_variants(const Observation& departure, Variants& out) {
   add_senses(out);
-  if (departure.profile.dialect == "sinumerik840d") add_space_arcs(out);
+  const ProgramText departing(departure.profile, departure.program);
+  if (departing.table->find(reference::Kind::circle) != nullptr) add_space_arcs(out);
   add_units(out);
   add_block_numbers(out);
   for (const Motions& motions : motions_concerned(departure)) {

@@ -31,14 +31,16 @@ class Sharing {
   // Those that explain the first symptom that is open, the one that explains most first.
   std::vector<Candidate> candidates(const Variants& variants);
   bool keeps_passes(const Variant& variant);
-  // That of those which explain most symptoms that explains most other departures; null: none, or
-  // one that explains a single symptom and nothing else.
-  const Candidate* best_of(const std::vector<Candidate>& all);
+  // Those of the ones which explain most symptoms that explain most other departures, the simplest
+  // first; none: also where they explain a single symptom and nothing else.
+  std::vector<const Candidate*> best_of(const std::vector<Candidate>& all);
+  SharedCause cause_of(const std::vector<const Candidate*>& best);
   // Takes the symptoms of the first open one's cause away, or that symptom alone.
   void close_first();
 
   Explainer explainer_;
   std::vector<Symptom> open_;
+  std::vector<Symptom> closed_;
   std::vector<Observation> passing_;
   std::vector<Observation> departing_;  // other programs: what a smallest one shows alike
   SharedCauses found_;
@@ -91,21 +93,40 @@ bool Sharing::keeps_passes(const Variant& variant) {
 
 // A smallest program may show too little: where every H is 1, "one too few" does as "ignored". What
 // explains that one alone, and none of the other programs that depart, is a coincidence.
-const Sharing::Candidate* Sharing::best_of(const std::vector<Candidate>& all) {
-  const Candidate* best = nullptr;
+std::vector<const Sharing::Candidate*> Sharing::best_of(const std::vector<Candidate>& all) {
+  std::vector<const Candidate*> best;
   std::ptrdiff_t most = -1;
   for (const Candidate& candidate : all) {
-    if (best != nullptr && candidate.explained.size() < best->explained.size()) break;
+    if (!best.empty() && candidate.explained.size() < best.front()->explained.size()) break;
     if (!keeps_passes(*candidate.variant)) continue;
     const std::ptrdiff_t explained = std::ranges::count_if(
         departing_,
         [&](const Observation& seen) { return explainer_.explains(*candidate.variant, seen); });
     if (explainer_.is_spent()) break;
-    if (explained > most) best = &candidate;
+    if (explained > most) best.clear();
+    if (explained >= most) best.push_back(&candidate);
     most = std::max(most, explained);
   }
-  const bool is_alone = best != nullptr && best->explained.size() == 1 && most == 0;
-  return is_alone && !departing_.empty() ? nullptr : best;
+  const bool is_alone = !best.empty() && best.front()->explained.size() == 1 && most == 0;
+  if (is_alone && !departing_.empty()) best.clear();
+  return best;
+}
+
+// A symptom that another cause has may be explained by this one as well.
+SharedCause Sharing::cause_of(const std::vector<const Candidate*>& best) {
+  const Candidate& first = *best.front();
+  SharedCause cause;
+  cause.name = first.variant->name;
+  cause.passes = passing_.size();
+  for (const std::size_t i : first.explained) cause.symptoms.push_back(open_[i].number);
+  for (const std::vector<Symptom>* symptoms : {&open_, &closed_}) {
+    for (const Symptom& symptom : *symptoms) {
+      const bool is_explained = explainer_.explains(*first.variant, symptom.seen);
+      (is_explained ? cause.explained : cause.unexplained).push_back(symptom.seen.id);
+    }
+  }
+  for (std::size_t i = 1; i < best.size(); ++i) cause.rivals.push_back(best[i]->variant->name);
+  return cause;
 }
 
 void Sharing::close_first() {
@@ -113,14 +134,15 @@ void Sharing::close_first() {
   std::vector<std::size_t> closed = {0};
   const Variants variants = variants_for(open_.front().seen);
   const std::vector<Candidate> all = candidates(variants);
-  if (const Candidate* best = best_of(all)) {
-    closed = best->explained;
-    SharedCause cause{best->variant->name, {}, passing_.size()};
-    for (const std::size_t i : closed) cause.symptoms.push_back(open_[i].number);
-    found_.causes.push_back(std::move(cause));
+  const std::vector<const Candidate*> best = best_of(all);
+  if (!best.empty()) {
+    closed = best.front()->explained;
+    found_.causes.push_back(cause_of(best));
   }
   for (auto i = closed.rbegin(); i != closed.rend(); ++i) {
-    open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(*i));
+    const auto place = open_.begin() + static_cast<std::ptrdiff_t>(*i);
+    closed_.push_back(std::move(*place));
+    open_.erase(place);
   }
 }
 

@@ -10,14 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/identify/explanation.hpp"
+#include "fuzz/identify/likely_cause.hpp"
 
 namespace gonogo::identify {
 
-struct SharedCause {
-  std::string name;                   // of the mistake: what the subject does
-  std::vector<std::size_t> symptoms;  // of those that were asked for; each is explained in full
-  std::size_t passes = 0;             // programs that are GO and would be with it
+struct SharedCause : LikelyCause {
+  std::vector<std::size_t> symptoms;  // its own, of those that were asked for
 };
 
 struct SharedCauses {

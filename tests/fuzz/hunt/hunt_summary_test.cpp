@@ -70,10 +70,12 @@ TEST_F(HuntSummaries, FacesOfOneCauseAreOneFinding) {
   HuntSummary summary = summarize_campaign(folder());
   EXPECT_EQ(findings_text(summary), "4 findings, 4 symptoms");
   Causes causes;
-  for (const Signature& one : {kFirst, kOtherShape, kOtherClause, kOtherKind}) causes[one] = "so";
+  for (const Signature& one : {kFirst, kOtherShape, kOtherClause, kOtherKind}) {
+    causes[one] = {"so", "It explains 4 of 4."};
+  }
   group_findings(summary, causes);
   EXPECT_EQ(findings_text(summary), "1 finding, 4 symptoms");
-  EXPECT_EQ(summary.findings.front().cause, "so");
+  EXPECT_EQ(cause_text(summary.findings.front()), "Behaves as if: so. It explains 4 of 4.");
   // A wrong path before a wrong alarm, and in how many programs, that of most first.
   EXPECT_EQ(summary.findings.front().symptoms.front().programs, 3U);
   EXPECT_EQ(summary.findings.front().symptoms.back().programs, 4U);
@@ -89,7 +91,8 @@ TEST_F(HuntSummaries, BytesThatAreNoTextArePutOutAsSuch) {
 TEST_F(HuntSummaries, TwoCausesAreTwoFindings) {
   write_shard("shard-1-of-1", {kFirst, kAlike, kOtherClause});
   HuntSummary summary = summarize_campaign(folder());
-  group_findings(summary, {{kFirst, "one"}, {kAlike, "another"}, {kOtherClause, "one"}});
+  group_findings(summary,
+                 {{kFirst, {"one", ""}}, {kAlike, {"another", ""}}, {kOtherClause, {"one", ""}}});
   EXPECT_EQ(findings_text(summary), "2 findings, 3 symptoms");
 }
 
@@ -101,7 +104,7 @@ TEST_F(HuntSummaries, WhatNothingExplainsIsAFindingForEachStep) {
   group_findings(summary, {});
   EXPECT_EQ(findings_text(summary), "5 findings, 7 symptoms");
   for (const CampaignFinding& finding : summary.findings) {
-    EXPECT_EQ(finding.cause, "");
+    EXPECT_TRUE(finding.cause.empty());
     if (finding.symptoms.size() == 1) continue;
     std::set<Signature> signatures;
     for (const Symptom& symptom : finding.symptoms) signatures.insert(symptom.signature);
@@ -147,7 +150,7 @@ TEST_F(HuntSummaries, MotionsBeyondTheirBlockAreOneFinding) {
 TEST_F(HuntSummaries, OneThatIsExplainedIsNotOfThoseOfItsShape) {
   write_shard("shard-1-of-1", {kFirst, kAlike});
   HuntSummary summary = summarize_campaign(folder());
-  group_findings(summary, {{kFirst, "so"}});
+  group_findings(summary, {{kFirst, {"so", ""}}});
   EXPECT_EQ(findings_text(summary), "2 findings, 2 symptoms");
 }
 
@@ -185,13 +188,26 @@ TEST_F(HuntSummaries, CausesAreReadAsTheyWereWritten) {
   EXPECT_TRUE(read_known_causes(folder()).asked.empty());
   write_shard("shard-1-of-1", {kFirst, kAlike, kOtherShape});
   HuntSummary summary = summarize_campaign(folder());
-  group_findings(summary, {{kFirst, "so"}});
+  group_findings(summary, {{kFirst, {"so", "It explains 1 of 2."}}});
   write_campaign_summary(folder(), summary);
   const KnownCauses known = read_known_causes(folder());
   EXPECT_EQ(known.asked, std::set({kFirst, kAlike, kOtherShape}));
-  EXPECT_EQ(known.causes, (Causes{{kFirst, "so"}}));
+  ASSERT_EQ(known.causes.size(), 1U);
+  EXPECT_EQ(known.causes.at(kFirst).text(), "Behaves as if: so. It explains 1 of 2.");
   std::ofstream(folder() + "/campaign.json") << "{\"format\": 1, \"findings\": [{}]}";
   EXPECT_TRUE(read_known_causes(folder()).asked.empty());
+}
+
+// Causes of what is mended were found before, with other programs.
+TEST_F(HuntSummaries, TheEvidenceIsThatOfASymptomThatStands) {
+  write_shard("shard-1-of-2", {kFirst, kOtherClause}, 3);
+  write_shard("shard-2-of-2", {kAlike});
+  HuntSummary summary = summarize_campaign(folder());
+  group_findings(
+      summary,
+      {{kFirst, {"so", "old."}}, {kAlike, {"so", "new."}}, {kOtherClause, {"so", "old."}}});
+  ASSERT_EQ(summary.findings.size(), 1U);
+  EXPECT_EQ(cause_text(summary.findings.front()), "Behaves as if: so. new.");
 }
 
 TEST_F(HuntSummaries, ThePageShowsWhatASubjectIsCalledAsText) {
@@ -232,11 +248,12 @@ TEST_F(HuntSummaries, ACampaignOnASubjectWithTwoFaultsHasTwoFindings) {
   const auto found = identify::find_shared_causes(subject, asked, others, {});
   Causes causes;
   for (const identify::SharedCause& cause : found.causes) {
-    for (const std::size_t symptom : cause.symptoms) causes[symptoms[symptom]] = cause.name;
+    for (const std::size_t symptom : cause.symptoms) causes[symptoms[symptom]] = cause.told();
   }
   group_findings(summary, causes);
   ASSERT_EQ(summary.findings.size(), 2U) << finding_list_text(summary);
-  const std::set<std::string> told = {summary.findings[0].cause, summary.findings[1].cause};
+  const std::set<std::string> told = {summary.findings[0].cause.name,
+                                      summary.findings[1].cause.name};
   EXPECT_EQ(told,
             (std::set<std::string>{"I J K are taken as absolute", identify::testing::kDwellCause}));
 }

@@ -7,27 +7,15 @@
 
 #include <algorithm>
 
-#include "pools.hpp"
-#include "secret_subject.hpp"
+#include "attributed.hpp"
 
 namespace gonogo::identify {
 namespace {
 
+using testing::attribute_fault;
 using testing::builtin;
+using testing::case_of;
 using testing::checked_in_corpus;
-
-ProgramAsked case_of(const std::string& id) {
-  oracle::CaseReader reader(checked_in_corpus(), oracle::Detail::to_run);
-  while (const auto test = reader.next()) {
-    if (test->id == id) return {test->id, test->program, test->profile};
-  }
-  throw std::runtime_error("There is no case " + id + ".");
-}
-
-Attribution attribute_fault(const char* expander, const char* fault, const std::string& id) {
-  const auto subject = builtin(expander, fault);
-  return attribute(*subject, checked_in_corpus(), case_of(id), {});
-}
 
 struct Planted {
   const char* expander;
@@ -144,99 +132,6 @@ TEST(Departure, IsGivenUpWhereItsTrialsTakeMoreRecordsThanTheyMay) {
   const Attribution whole = attribute(*subject, checked_in_corpus(), asked, options);
   EXPECT_FALSE(whole.given_up);
   EXPECT_FALSE(whole.complete.empty());
-}
-
-// Hand made: three departures of four are explained, then two of four, then all by two mistakes.
-TEST(LikelyCause, IsNoneOverAMinorityAndNamesItsRivals) {
-  Attribution found;
-  found.programs.resize(6);
-  found.departures = 4;
-  found.partial = {{"a", 3, 0, 2}, {"b", 4, 0, 1}};
-  ASSERT_FALSE(likely_cause(found).empty());
-  EXPECT_EQ(likely_cause(found).name, "a");
-  EXPECT_EQ(likely_cause(found).evidence,
-            "It explains 3 of 4 departures that were tried, and that 2 programs pass.");
-  found.partial = {{"a", 2, 0, 2}};
-  EXPECT_TRUE(likely_cause(found).empty());
-  // A word that is misread explains something by chance.
-  found.departures = 5;
-  found.partial = {{"a", 3, 0, 1, {}, true}};
-  EXPECT_TRUE(likely_cause(found).empty());
-  found.partial.front().is_misread = false;
-  EXPECT_FALSE(likely_cause(found).empty());
-  found.departures = 4;
-  found.partial = {{"a", 3, 0, 2, {}, true}};
-  EXPECT_FALSE(likely_cause(found).empty());
-  found.complete = {{"c", 4, 0, 2}, {"d", 4, 0, 2}};
-  EXPECT_EQ(likely_cause(found).evidence,
-            "It explains 4 of 4 departures that were tried, and that 2 programs pass. As much is "
-            "explained by: d.");
-}
-
-// A CT behind the CIP goes on from it, so that more departs than the CIP itself.
-TEST(LikelyCause, OfACipTheOtherWayRound) {
-  const Attribution found = attribute_fault("sinumerik", "cip-sense-flipped", "s840.cip.000001");
-  EXPECT_EQ(likely_cause(found).name, "every CIP turns the other way") << attribution_text(found);
-}
-
-TEST(LikelyCause, OfALimitThatRefusesItsOwnValue) {
-  const Attribution found =
-      attribute_fault("gsk", "taper-equality-refused", "gsk.g90.alarm.000017");
-  EXPECT_EQ(likely_cause(found).name,
-            "R on a limit counts as a trifle larger, < for <= or the other way round")
-      << attribution_text(found);
-}
-
-TEST(LikelyCause, OfAnEndPointThatACycleDoesNotRetain) {
-  const Attribution found = attribute_fault("gsk", "end-point-lost", "gsk.g94.000088");
-  EXPECT_EQ(likely_cause(found).name,
-            "an axis that a later block of G94 does not name does not move")
-      << attribution_text(found);
-}
-
-TEST(LikelyCause, OfADwellWhoseWordBecomesTheFeed) {
-  const Attribution found = attribute_fault("sinumerik", "dwell-feed-kept", "s840.modes.000055");
-  EXPECT_EQ(likely_cause(found).name, "F of a dwell becomes the feed") << attribution_text(found);
-}
-
-// A way of no length is no motion, so that the path shows nothing of the end of some.
-TEST(LikelyCause, OfACycleThatEndsWhereItsCutBegan) {
-  const Attribution drilled =
-      attribute_fault("sinumerik", "drill-retract-to-clearance", "s802.lcyc82.000003");
-  EXPECT_EQ(likely_cause(drilled).name, "LCYC82 ends where its cut began")
-      << attribution_text(drilled);
-  const Attribution milled =
-      attribute_fault("sinumerik", "pocket-retract-to-clearance", "s802.lcyc75.000037");
-  EXPECT_EQ(likely_cause(milled).name, "LCYC75 ends where its cut began")
-      << attribution_text(milled);
-}
-
-// Among the hundreds of ways to misread a word there is one for nearly every single departure.
-TEST(LikelyCause, IsNoWordMisreadWhereOneProgramDeparts) {
-  Attribution found;
-  found.programs.resize(108);
-  found.departures = 1;
-  found.complete = {{"L in G17 is ignored but under G91", 1, 0, 107, {}, true}};
-  EXPECT_TRUE(likely_cause(found).empty());
-  found.complete.front().is_misread = false;
-  EXPECT_FALSE(likely_cause(found).empty());
-}
-
-TEST(LikelyCause, OfAWordOutOfPlaceIsNoWordMisread) {
-  const Attribution found = attribute_fault("ngc", "unused-alone-passed", "ngc.amendments.000017");
-  EXPECT_TRUE(likely_cause(found).empty()) << attribution_text(found);
-}
-
-TEST(LikelyCause, IsNoneWhereAMistakeAndItsOppositeExplainAsMuch) {
-  Attribution found;
-  found.programs.resize(6);
-  found.departures = 3;
-  const std::string opposite = "I of G3 is converted from inches";
-  found.complete = {{"I of G3 is not converted from inches", 3, 0, 3, opposite},
-                    {opposite, 3, 0, 3}};
-  EXPECT_TRUE(likely_cause(found).empty());
-  found.complete[1].name = "J of G3 is converted from inches";
-  EXPECT_EQ(likely_cause(found).name, "I of G3 is not converted from inches");
 }
 
 }  // namespace

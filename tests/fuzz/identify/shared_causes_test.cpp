@@ -124,6 +124,8 @@ TEST(SharedCauses, AFaceThatNoMistakeExplainsIsOfNone) {
   const SharedCauses found = find_shared_causes(subject, symptoms, {}, {});
   ASSERT_EQ(names(found), std::vector<std::string>{kAbsolute});
   EXPECT_EQ(found.causes.front().symptoms, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(found.causes.front().evidence().substr(0, 65),
+            "It explains 2 of 3 departures that were tried (not: displaced).");
 }
 
 // Where arcs of other planes pass, it is not every arc that turns the other way.

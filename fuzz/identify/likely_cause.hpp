@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A mistake that is named as the cause of departures, with what it explains of those that were
+// tried: told in the same words of a run and of a hunt.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fuzz/identify/explanation.hpp"
+#include "oracle/records/finding.hpp"
+
+namespace gonogo::identify {
+
+struct LikelyCause {
+  std::string name;                      // of the mistake; empty: there is none
+  std::vector<std::string> explained;    // departures that it explains in full, by their ids
+  std::vector<std::string> unexplained;  // the others that were tried
+  std::size_t passes = 0;                // programs that are GO and would be with it
+  std::vector<std::string> rivals;       // mistakes that explain as much
+
+  bool empty() const { return name.empty(); }
+  // Those that it does not count yet.
+  void add(const LikelyCause& other);
+  std::string evidence() const;
+  oracle::Cause told() const { return {name, empty() ? std::string() : evidence()}; }
+};
+
+// Whether a mistake that explains so many of the departures is worth a name: more than half of
+// them, and three quarters where it is one of reading a word.
+bool is_most(bool is_misread, std::size_t explained, std::size_t departures);
+
+// Which of the causes that have been named explains another finding, the smallest of its programs
+// first, perhaps in another dialect: the first that explains that one and most of all. It counts
+// them, and loses rivals that explain less of them. Null: none. Throws SubjectUnusable.
+LikelyCause* recognise(std::vector<LikelyCause>& named, oracle::Subject& subject,
+                       std::span<const ProgramAsked> programs, const ExplanationOptions& options);
+
+}  // namespace gonogo::identify

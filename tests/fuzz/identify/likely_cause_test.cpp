@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which mistake a report names, and what it says of it; most are tried on planted faults.
+#include "fuzz/identify/likely_cause.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "attributed.hpp"
+
+namespace gonogo::identify {
+namespace {
+
+using testing::attribute_fault;
+using testing::builtin;
+using testing::case_of;
+
+// Programs of which the first depart.
+Attribution seen_of(std::size_t departures, std::size_t passes) {
+  Attribution found;
+  found.departures = departures;
+  for (std::size_t i = 0; i < departures + passes; ++i) {
+    Observation seen;
+    seen.id = fmt::format("p{}", i + 1);
+    seen.verdict.kind =
+        i < departures ? oracle::VerdictKind::fail_geometry : oracle::VerdictKind::pass_exact;
+    found.programs.push_back(std::move(seen));
+  }
+  return found;
+}
+
+// A mistake that explains the first of the departures.
+Cause explains(std::string name, std::size_t departures, std::size_t passes) {
+  Cause cause{std::move(name), departures, 0, passes};
+  for (std::size_t i = 0; i < departures; ++i) cause.explained.push_back(fmt::format("p{}", i + 1));
+  return cause;
+}
+
+// Hand made: three departures of four are explained, then two of four, then all by two mistakes.
+TEST(LikelyCause, IsNoneOverAMinorityAndNamesItsRivals) {
+  Attribution found = seen_of(4, 2);
+  found.partial = {explains("a", 3, 2), explains("b", 4, 1)};
+  ASSERT_FALSE(likely_cause(found).empty());
+  EXPECT_EQ(likely_cause(found).name, "a");
+  EXPECT_EQ(likely_cause(found).evidence(),
+            "It explains 3 of 4 departures that were tried (not: p4), and that 2 programs pass.");
+  found.partial = {explains("a", 2, 2)};
+  EXPECT_TRUE(likely_cause(found).empty());
+  found.complete = {explains("c", 4, 2), explains("d", 4, 2)};
+  EXPECT_EQ(likely_cause(found).evidence(),
+            "It explains 4 of 4 departures that were tried, and that 2 programs pass. As much is "
+            "explained by: d.");
+}
+
+TEST(LikelyCause, IsNoMisreadWordBelowThreeQuarters) {
+  Attribution found = seen_of(5, 1);
+  found.partial = {explains("a", 3, 1)};
+  EXPECT_FALSE(likely_cause(found).empty());
+  found.partial.front().is_misread = true;
+  EXPECT_TRUE(likely_cause(found).empty());
+  found = seen_of(4, 2);
+  found.partial = {explains("a", 3, 2)};
+  found.partial.front().is_misread = true;
+  EXPECT_FALSE(likely_cause(found).empty());
+}
+
+TEST(LikelyCause, NamesThreeDeparturesThatItLeavesAndCountsTheOthers) {
+  Attribution found = seen_of(9, 1);
+  found.partial = {explains("a", 6, 1)};
+  EXPECT_EQ(likely_cause(found).evidence(),
+            "It explains 6 of 9 departures that were tried (not: p7, p8, p9), and that 1 program "
+            "passes.");
+  found = seen_of(12, 0);
+  found.partial = {explains("a", 7, 0)};
+  EXPECT_EQ(likely_cause(found).evidence(),
+            "It explains 7 of 12 departures that were tried (not: p8, p9, p10 and 2 more).");
+}
+
+// The circle of one dialect, then that of the other.
+TEST(LikelyCause, IsRecognisedInAnotherDialectAndCountsItsDepartures) {
+  const auto subject = builtin("sinumerik", "cip-sense-flipped");
+  const std::string name = "every CIP turns the other way";
+  std::vector<LikelyCause> named = {{"another", {"x"}, {}, 1, {}},
+                                    {name, {"s840.cip.000001"}, {}, 3, {"CIP is ignored"}}};
+  const std::vector<ProgramAsked> programs = {case_of("s802.path.000013")};
+  const LikelyCause* const found = recognise(named, *subject, programs, {});
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->name, name);
+  EXPECT_EQ(found->evidence(),
+            "It explains 2 of 2 departures that were tried, and that 3 programs pass.");
+  const auto right = builtin("sinumerik");
+  EXPECT_EQ(recognise(named, *right, programs, {}), nullptr);
+}
+
+// A CT behind the CIP goes on from it, so that more departs than the CIP itself.
+TEST(LikelyCause, OfACipTheOtherWayRound) {
+  const Attribution found = attribute_fault("sinumerik", "cip-sense-flipped", "s840.cip.000001");
+  EXPECT_EQ(likely_cause(found).name, "every CIP turns the other way") << attribution_text(found);
+}
+
+TEST(LikelyCause, OfALimitThatRefusesItsOwnValue) {
+  const Attribution found =
+      attribute_fault("gsk", "taper-equality-refused", "gsk.g90.alarm.000017");
+  EXPECT_EQ(likely_cause(found).name,
+            "R on a limit counts as a trifle larger, < for <= or the other way round")
+      << attribution_text(found);
+}
+
+TEST(LikelyCause, OfAnEndPointThatACycleDoesNotRetain) {
+  const Attribution found = attribute_fault("gsk", "end-point-lost", "gsk.g94.000088");
+  EXPECT_EQ(likely_cause(found).name,
+            "an axis that a later block of G94 does not name does not move")
+      << attribution_text(found);
+}
+
+TEST(LikelyCause, OfADwellWhoseWordBecomesTheFeed) {
+  const Attribution found = attribute_fault("sinumerik", "dwell-feed-kept", "s840.modes.000055");
+  EXPECT_EQ(likely_cause(found).name, "F of a dwell becomes the feed") << attribution_text(found);
+}
+
+// A way of no length is no motion, so that the path shows nothing of the end of some.
+TEST(LikelyCause, OfACycleThatEndsWhereItsCutBegan) {
+  const Attribution drilled =
+      attribute_fault("sinumerik", "drill-retract-to-clearance", "s802.lcyc82.000003");
+  EXPECT_EQ(likely_cause(drilled).name, "LCYC82 ends where its cut began")
+      << attribution_text(drilled);
+  const Attribution milled =
+      attribute_fault("sinumerik", "pocket-retract-to-clearance", "s802.lcyc75.000037");
+  EXPECT_EQ(likely_cause(milled).name, "LCYC75 ends where its cut began")
+      << attribution_text(milled);
+}
+
+// Among the hundreds of ways to misread a word there is one for nearly every single departure.
+TEST(LikelyCause, IsNoWordMisreadWhereOneProgramDeparts) {
+  Attribution found;
+  found.programs.resize(108);
+  found.departures = 1;
+  found.complete = {{"L in G17 is ignored but under G91", 1, 0, 107, {}, true}};
+  EXPECT_TRUE(likely_cause(found).empty());
+  found.complete.front().is_misread = false;
+  EXPECT_FALSE(likely_cause(found).empty());
+}
+
+TEST(LikelyCause, OfAWordOutOfPlaceIsNoWordMisread) {
+  const Attribution found = attribute_fault("ngc", "unused-alone-passed", "ngc.amendments.000017");
+  EXPECT_TRUE(likely_cause(found).empty()) << attribution_text(found);
+}
+
+TEST(LikelyCause, IsNoneWhereAMistakeAndItsOppositeExplainAsMuch) {
+  Attribution found;
+  found.programs.resize(6);
+  found.departures = 3;
+  const std::string opposite = "I of G3 is converted from inches";
+  found.complete = {{"I of G3 is not converted from inches", 3, 0, 3, opposite},
+                    {opposite, 3, 0, 3}};
+  EXPECT_TRUE(likely_cause(found).empty());
+  found.complete[1].name = "J of G3 is converted from inches";
+  EXPECT_EQ(likely_cause(found).name, "I of G3 is not converted from inches");
+}
+
+}  // namespace
+}  // namespace gonogo::identify
