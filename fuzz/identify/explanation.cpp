@@ -123,7 +123,8 @@ Fit Explainer::judge_trial(const ChangedRun& trial, const Observation& seen) {
 
 // What an enclosure leaves open is not explained.
 Fit Explainer::fit(const Variant& variant, const Observation& seen) try {
-  if (variant.holds) return variant.holds(seen) ? Fit::full : Fit::no;
+  if (variant.holds && variant.holds(seen)) return Fit::full;
+  if (!variant.apply) return Fit::no;
   auto trial = variant.apply(seen);
   if (!trial) return seen.departs() ? Fit::no : Fit::full;
   const Fit as_a_whole = judge_trial(*trial, seen);
@@ -158,6 +159,7 @@ Variants variants_for(const Observation& departure) {
   add_retained_variants(departure, variants);
   add_modal_variants(departure, variants);
   add_misread(add_code_variants, departure, variants);
+  add_reference_point_variants(departure, variants);
   add_way_variants(departure, variants);
   add_model_variants(departure, variants);
   return variants;

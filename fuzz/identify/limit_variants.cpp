@@ -5,8 +5,8 @@
 // way.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <set>
 
 #include "fuzz/identify/variant.hpp"
 
@@ -28,12 +28,13 @@ constexpr int kLargest = 9'000;
 struct Move {
   std::string_view name;
   Number (*value)(const Number&);
+  bool keeps_zero;
 };
 constexpr std::array<Move, 4> kMoves = {{
-    {"a trifle larger", [](const Number& value) { return value * (1 + trifle()); }},
-    {"a trifle smaller", [](const Number& value) { return value * (1 - trifle()); }},
-    {"a trifle farther on", [](const Number& value) { return value + trifle(); }},
-    {"a trifle farther back", [](const Number& value) { return value - trifle(); }},
+    {"a trifle larger", [](const Number& value) { return value * (1 + trifle()); }, true},
+    {"a trifle smaller", [](const Number& value) { return value * (1 - trifle()); }, true},
+    {"a trifle farther on", [](const Number& value) { return value + trifle(); }, false},
+    {"a trifle farther back", [](const Number& value) { return value - trifle(); }, false},
 }};
 
 std::optional<std::string> moved(const ProgramText& program, const std::string& address,
@@ -49,31 +50,69 @@ std::optional<std::string> moved(const ProgramText& program, const std::string& 
 }
 
 // Whether the reference alarms elsewhere, or no more, or only now.
-bool alarms_otherwise(const Observation& departure, const std::string& program) {
-  const auto before = run_reference(departure.profile, departure.program);
-  const auto after = run_reference(departure.profile, program);
+bool alarms_otherwise(const Observation& seen, const std::string& program) {
+  const auto before = run_reference(seen.profile, seen.program);
+  const auto after = run_reference(seen.profile, program);
   return before && after &&
          (before->end.kind != after->end.kind ||
           before->end.alarm.block != after->end.alarm.block ||
           before->end.alarm.alarm_class != after->end.alarm.alarm_class);
 }
 
+// One word, and how it is moved off the limits that it lies on.
+struct Limit {
+  std::string address;
+  Motions motions;
+  const Move* move;
+
+  // Nothing: no alarm hangs on it.
+  std::optional<std::string> moved_off(const Observation& seen) const {
+    auto text = moved(ProgramText(seen.profile, seen.program), address, motions, *move);
+    return text && alarms_otherwise(seen, *text) ? std::move(text) : std::nullopt;
+  }
+  std::string name() const {
+    return fmt::format("{}{} on a limit counts as {}, < for <= or the other way round", address,
+                       motions.empty() ? "" : " of " + names_of(motions), move->name);
+  }
+};
+
+// What a subject does that runs on beyond a limit may be no path of the reference: a pass as deep
+// as the one before it. A zero lies on the limit of a rule that may not be checked at all.
+bool runs_on(const Limit& limit, const Observation& seen) {
+  if (seen.verdict.kind != oracle::VerdictKind::fail_alarm_missing) return false;
+  if (!limit.move->keeps_zero) return false;
+  const auto text = limit.moved_off(seen);
+  const auto after = text ? run_reference(seen.profile, *text) : std::nullopt;
+  return after && after->end.alarm.block != seen.alarm;
+}
+
 void add_limits(const Observation& departure, const std::string& address, const Motions& motions,
                 Variants& out) {
-  const std::string of = motions.empty() ? "" : " of " + names_of(motions);
   for (const Move& move : kMoves) {
-    const ProgramText program(departure.profile, departure.program);
-    const auto text = moved(program, address, motions, move);
-    if (!text || !alarms_otherwise(departure, *text)) continue;
-    out.push_back({fmt::format("{}{} on a limit counts as {}, < for <= or the other way round",
-                               address, of, move.name),
-                   [=, &move](const Observation& seen) -> std::optional<ChangedRun> {
-                     const ProgramText asked(seen.profile, seen.program);
-                     auto other = moved(asked, address, motions, move);
-                     if (!other) return std::nullopt;
-                     return ChangedRun{std::move(*other), seen.profile, seen.outcome, std::nullopt};
-                   }});
+    const Limit limit{address, motions, &move};
+    if (!limit.moved_off(departure)) continue;
+    Variant variant;
+    variant.name = limit.name();
+    variant.apply = [limit](const Observation& seen) -> std::optional<ChangedRun> {
+      auto text = limit.moved_off(seen);
+      if (!text) return std::nullopt;
+      return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
+    };
+    variant.holds = [limit](const Observation& seen) { return runs_on(limit, seen); };
+    out.push_back(std::move(variant));
   }
+}
+
+// The words that its alarms name go first.
+std::vector<std::string> words_in_order(const Observation& departure) {
+  const auto addresses = addresses_in(ProgramText(departure.profile, departure.program));
+  std::vector<std::string> words(addresses.begin(), addresses.end());
+  std::ranges::stable_partition(words, [&](const std::string& address) {
+    return std::ranges::any_of(departure.alarms, [&](const reference::Alarm& alarm) {
+      return alarm.word.text() == address;
+    });
+  });
+  return words;
 }
 
 }  // namespace
@@ -82,8 +121,7 @@ void add_limit_variants(const Observation& departure, Variants& out) {
   using oracle::VerdictKind;
   const VerdictKind kind = departure.verdict.kind;
   if (kind != VerdictKind::fail_alarm_missing && kind != VerdictKind::fail_alarm_spurious) return;
-  const ProgramText program(departure.profile, departure.program);
-  for (const std::string& address : addresses_in(program)) {
+  for (const std::string& address : words_in_order(departure)) {
     add_limits(departure, address, {}, out);
     for (const Motions& motions : motions_concerned(departure)) {
       add_limits(departure, address, motions, out);

@@ -96,6 +96,9 @@ void add_machine_variants(const Observation& departure, Variants& out) {
   add_profile(
       "the work offsets are not applied", [](Profile& profile) { profile.offsets.clear(); }, out);
   add_profile(
+      "the reference point is the zero point of the machine",
+      [](Profile& profile) { profile.reference_point = {}; }, out);
+  add_profile(
       "the initial feed is not in force", [](Profile& profile) { profile.initial.feed = {}; }, out);
   for (const auto& [name, value] : departure.profile.parameters) {
     add_profile(

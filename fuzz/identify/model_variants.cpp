@@ -19,32 +19,6 @@ using reference::RecordKind;
 
 namespace {
 
-// Where the machine stands when each block begins, by line; and what the block puts out.
-struct BlockPath {
-  Position start;
-  std::vector<Record> records;
-};
-
-std::vector<BlockPath> paths_of(const Observation& seen, std::size_t blocks) {
-  std::vector<BlockPath> paths(blocks + 2);
-  const auto outcome = run_reference(seen.profile, seen.program);
-  if (!outcome) return {};
-  Position at = seen.profile.initial.at;
-  std::size_t block = 0;
-  const auto go_to = [&](std::size_t line) {
-    while (block < line && block + 1 < paths.size()) paths[++block].start = at;
-  };
-  for (const Record& record : outcome->records) {
-    go_to(record.block);
-    if (record.block < paths.size()) paths[record.block].records.push_back(record);
-    for (const Axis axis : reference::kAllAxes) {
-      if (record.axes.has(axis)) at[axis] = record.to[axis];
-    }
-  }
-  go_to(blocks + 1);
-  return paths;
-}
-
 std::optional<ChangedRun> absolute_centres(const Observation& seen) {
   const ProgramText program(seen.profile, seen.program);
   const auto paths = paths_of(seen, program.blocks.size());

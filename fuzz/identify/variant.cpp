@@ -124,4 +124,24 @@ bool is_of(const ProgramText& program, std::uint64_t line, const Motions& motion
   return motions.contains(program.code_at(line));
 }
 
+std::vector<BlockPath> paths_of(const Observation& seen, std::size_t blocks) {
+  std::vector<BlockPath> paths(blocks + 2);
+  const auto outcome = run_reference(seen.profile, seen.program);
+  if (!outcome) return {};
+  reference::Position at = seen.profile.initial.at;
+  std::size_t block = 0;
+  const auto go_to = [&](std::size_t line) {
+    while (block < line && block + 1 < paths.size()) paths[++block].start = at;
+  };
+  for (const Record& record : outcome->records) {
+    go_to(record.block);
+    if (record.block < paths.size()) paths[record.block].records.push_back(record);
+    for (const reference::Axis axis : reference::kAllAxes) {
+      if (record.axes.has(axis)) at[axis] = record.to[axis];
+    }
+  }
+  go_to(blocks + 1);
+  return paths;
+}
+
 }  // namespace gonogo::identify

@@ -57,8 +57,8 @@ struct Variant {
   std::string name;  // what the subject does, a sentence without its full stop
   // Nothing: it makes no difference to this program.
   std::function<std::optional<ChangedRun>(const Observation&)> apply;
-  // In place of a trial, where what the subject would do next is not known: whether the observation
-  // is as the mistake makes it.
+  // Where what the subject would do next is not known: whether the observation is as the mistake
+  // makes it. Without `apply`, in place of a trial.
   std::function<bool(const Observation&)> holds = {};
   std::string opposite = {};  // the name of the mistake in the other sense; empty: there is none
   // A word or a code is read as another: much hangs on it, so that it explains something by chance.
@@ -100,6 +100,14 @@ std::string names_of(const Motions& motions);
 // Whether the line of this number runs one of the codes.
 bool is_of(const ProgramText& program, std::uint64_t line, const Motions& motions);
 
+// Where the machine stands when each block begins, by line; and what the block puts out.
+struct BlockPath {
+  reference::Position start;
+  std::vector<Record> records;
+};
+// Empty: the reference cannot decide the program.
+std::vector<BlockPath> paths_of(const Observation& seen, std::size_t blocks);
+
 // Each family adds what can matter to the observations, the departing ones first.
 // A reading switched; units, diameter, offsets, parameters and the like of the machine.
 void add_machine_variants(const Observation& departure, Variants& out);
@@ -118,6 +126,8 @@ void add_alarm_variants(const Observation& departure, Variants& out);
 void add_limit_variants(const Observation& departure, Variants& out);
 // A motion that a clause asks for of another kind, or left out.
 void add_clause_variants(const Observation& departure, Variants& out);
+// The way to a reference point.
+void add_reference_point_variants(const Observation& departure, Variants& out);
 // Where a motion ends, and along which way a lead counts.
 void add_way_variants(const Observation& departure, Variants& out);
 // Coordinates rounded; motions left out; sums in binary floating point.

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <span>
+#include <utility>
+
 #include "attributed.hpp"
 
 namespace gonogo::identify {
@@ -90,6 +93,72 @@ TEST(LikelyCause, IsRecognisedInAnotherDialectAndCountsItsDepartures) {
             "It explains 2 of 2 departures that were tried, and that 3 programs pass.");
   const auto right = builtin("sinumerik");
   EXPECT_EQ(recognise(named, *right, programs, {}), nullptr);
+}
+
+TEST(LikelyCause, OfALimitBeyondWhichNoPathIsLeft) {
+  const Attribution found =
+      attribute_fault("ngc", "g76-equal-k-passed", "ngc.threading.v1-t2f2-s1.000037");
+  EXPECT_EQ(likely_cause(found).name,
+            "K on a limit counts as a trifle larger, < for <= or the other way round")
+      << attribution_text(found);
+}
+
+TEST(LikelyCause, OfAReferencePointThatIsApproachedDirectly) {
+  const Attribution found = attribute_fault("gsk", "home-direct", "gsk.basic.000046");
+  EXPECT_EQ(likely_cause(found).name, "G28 leaves out the point of its words")
+      << attribution_text(found);
+}
+
+// Runs another program in place of the one that it is given, as long in lines; or one of a machine
+// whose reference point is its zero point.
+class Misreading : public testing::ReferenceSubject {
+ public:
+  Misreading(std::string written, std::string read)
+      : written_(std::move(written)), read_(std::move(read)) {}
+  void configure(const Profile& profile) override {
+    Profile own = profile;
+    if (written_ == read_) own.reference_point = {};
+    ReferenceSubject::configure(own);
+  }
+  oracle::RunEnd run(std::string_view id, std::string_view program,
+                     const oracle::RecordSink& sink) override {
+    std::string text(program);
+    text.replace(text.find(written_), written_.size(), read_);
+    return ReferenceSubject::run(id, text, sink);
+  }
+
+ private:
+  std::string written_;
+  std::string read_;
+};
+
+// What the names say, written by hand.
+TEST(LikelyCause, OfAWayToAReferencePointOfRs274) {
+  using reference::Axis;
+  Profile machine = testing::default_machine("rs274");
+  machine.reference_point[Axis::x] = 5;
+  machine.reference_point[Axis::y] = 6;
+  machine.reference_point[Axis::z] = 7;
+  const auto cause_of = [&](const std::string& written, const std::string& read) {
+    std::vector<LikelyCause> named;
+    for (const char* name :
+         {"G28 takes all axes to the reference point", "G28 leaves out the point of its words",
+          "G28 without a word of an axis moves none",
+          "the reference point is the zero point of the machine"}) {
+      named.push_back({name, {}, {}, 0, {}});
+    }
+    const ProgramAsked asked{"home", "G0 X1 Y2 Z3\nG91\n" + written + "\nG90 G1 X9 Y9 F100\nM2\n",
+                             machine};
+    Misreading subject(written, read);
+    const LikelyCause* const found = recognise(named, subject, std::span(&asked, 1), {});
+    return found == nullptr ? std::string() : found->name;
+  };
+  EXPECT_EQ(cause_of("G28 Z-4", "G28 Z0"), "G28 leaves out the point of its words");
+  EXPECT_EQ(cause_of("G28 Z-4", "G28 X0 Y0 Z-4 A0 C0"),
+            "G28 takes all axes to the reference point");
+  EXPECT_EQ(cause_of("G28", "G4 P0"), "G28 without a word of an axis moves none");
+  EXPECT_EQ(cause_of("G28 Z-4", "G28 Z-4"), "the reference point is the zero point of the machine");
+  EXPECT_EQ(cause_of("G28 Z-4", "G28 Z5"), "");
 }
 
 // A CT behind the CIP goes on from it, so that more departs than the CIP itself.
