@@ -2,6 +2,7 @@
 #include "cli/causes.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <map>
 #include <memory>
@@ -16,8 +17,7 @@
 namespace gonogo::cli {
 namespace {
 
-constexpr std::size_t kMostOfFinding = 8;    // cases
-constexpr std::size_t kMostRecognised = 50;  // findings that known causes are tried on
+constexpr std::size_t kMostOfFinding = 8;  // cases
 
 using Programs = std::map<std::string, identify::ProgramAsked>;
 
@@ -76,30 +76,33 @@ class Naming {
     const identify::LikelyCause* const known =
         named_.empty() ? nullptr : recognise(named_, *make_(), programs, options_);
     if (known != nullptr) {
-      asked_[finding.key] = known->name;
+      asked_[finding.key] = static_cast<std::size_t>(known - named_.data());
     } else if (attributed_ < most_) {
       ++attributed_;
       const auto subject = make_();
-      const identify::LikelyCause likely =
-          likely_cause(identify::attribute(*subject, corpus_, programs.front(), options_));
-      asked_[finding.key] = likely.name;
-      if (!likely.empty()) add(likely);
+      asked_[finding.key] =
+          add(likely_cause(identify::attribute(*subject, corpus_, programs.front(), options_)));
     }
   }
   oracle::evidence::Causes causes() const {
     oracle::evidence::Causes causes;
     causes.asked = asked_.size();
-    for (const auto& [key, name] : asked_) {
-      const auto cause = std::ranges::find(named_, name, &identify::LikelyCause::name);
-      if (cause != named_.end()) causes.of[key] = cause->told();
+    for (const auto& [key, cause] : asked_) {
+      if (cause < named_.size()) causes.of[key] = named_[cause].told();
     }
     return causes;
   }
 
  private:
-  void add(const identify::LikelyCause& likely) {
+  static constexpr std::size_t kNone = SIZE_MAX;
+
+  // Its place among those that are named.
+  std::size_t add(const identify::LikelyCause& likely) {
+    if (likely.empty()) return kNone;
     const auto same = std::ranges::find(named_, likely.name, &identify::LikelyCause::name);
+    const auto place = static_cast<std::size_t>(same - named_.begin());
     same == named_.end() ? named_.push_back(likely) : same->add(likely);
+    return place;
   }
 
   const oracle::Corpus& corpus_;
@@ -108,7 +111,7 @@ class Naming {
   std::size_t most_;
   std::size_t attributed_ = 0;
   std::vector<identify::LikelyCause> named_;
-  std::map<oracle::Finding::Key, std::string> asked_;  // the name of the cause; empty: none
+  std::map<oracle::Finding::Key, std::size_t> asked_;  // of those, or kNone
 };
 
 }  // namespace
@@ -123,7 +126,6 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
   options.most_records = kMostRecordsToExplain;
   std::vector<const oracle::Finding*> findings = summary.findings.list();
   std::erase_if(findings, [](const auto* finding) { return !may_have_cause(*finding); });
-  if (findings.size() > most + kMostRecognised) findings.resize(most + kMostRecognised);
   const Programs programs = programs_of(findings, corpus, campaign);
   Naming naming(corpus, make, options, most);
   try {

@@ -36,31 +36,52 @@ class Recognition {
  public:
   Recognition(oracle::Subject& subject, std::span<const ProgramAsked> programs,
               const ExplanationOptions& options)
-      : explainer_(subject, options) {
-    for (const ProgramAsked& program : programs) {
-      std::optional<Observation> seen = explainer_.observe(program);
-      if (seen && seen->departs()) departures_.push_back(*std::move(seen));
-    }
+      : explainer_(subject, options), programs_(programs) {
+    while (departures_.empty() && !programs_.empty()) observe_next();
     if (!departures_.empty()) variants_ = variants_for(departures_.front());
   }
 
-  // Counts the departures for the cause, if it is theirs.
-  bool take(LikelyCause& cause) {
-    const Variant* const variant = find(variants_, cause.name);
-    if (variant == nullptr || !explainer_.explains(*variant, departures_.front())) return false;
+  // Counts the departures for the cause, if it or a rival of it is theirs.
+  bool take(LikelyCause& cause, bool by_rival) {
+    const Variant* const variant = by_rival ? rival_of(cause) : meant_by(cause.name);
+    if (variant == nullptr) return false;
+    while (!programs_.empty()) observe_next();
     LikelyCause here;
     for (const Observation& seen : departures_) {
       (explainer_.explains(*variant, seen) ? here.explained : here.unexplained).push_back(seen.id);
     }
     if (!is_most(variant->is_misread, here.explained.size(), departures_.size())) return false;
+    cause.name = variant->name;
     cause.add(here);
     std::erase_if(cause.rivals, [&](const std::string& rival) {
-      return count(find(variants_, rival)) < here.explained.size();
+      return rival == cause.name || count(find(variants_, rival)) < here.explained.size();
     });
     return true;
   }
 
  private:
+  void observe_next() {
+    std::optional<Observation> seen = explainer_.observe(programs_.front());
+    programs_ = programs_.subspan(1);
+    if (seen && seen->departs()) departures_.push_back(*std::move(seen));
+  }
+
+  // The mistake of this name, if it explains the first departure.
+  const Variant* meant_by(const std::string& name) {
+    const Variant* const variant = find(variants_, name);
+    const bool is_its = variant != nullptr && explainer_.explains(*variant, departures_.front());
+    return is_its ? variant : nullptr;
+  }
+
+  // The first rival that does; both explain all that was tried before.
+  const Variant* rival_of(const LikelyCause& cause) {
+    if (!cause.unexplained.empty()) return nullptr;
+    for (const std::string& rival : cause.rivals) {
+      if (const Variant* const variant = meant_by(rival)) return variant;
+    }
+    return nullptr;
+  }
+
   std::size_t count(const Variant* variant) {
     if (variant == nullptr) return 0;
     return static_cast<std::size_t>(std::ranges::count_if(
@@ -68,8 +89,9 @@ class Recognition {
   }
 
   Explainer explainer_;
+  std::span<const ProgramAsked> programs_;  // still to be run
   std::vector<Observation> departures_;
-  Variants variants_;
+  Variants variants_;  // of the first
 };
 
 }  // namespace
@@ -104,9 +126,12 @@ bool is_most(bool is_misread, std::size_t explained, std::size_t departures) {
 LikelyCause* recognise(std::vector<LikelyCause>& named, oracle::Subject& subject,
                        std::span<const ProgramAsked> programs, const ExplanationOptions& options) {
   Recognition recognition(subject, programs, options);
-  const auto found =
-      std::ranges::find_if(named, [&](LikelyCause& cause) { return recognition.take(cause); });
-  return found == named.end() ? nullptr : &*found;
+  for (const bool by_rival : {false, true}) {
+    for (LikelyCause& cause : named) {
+      if (recognition.take(cause, by_rival)) return &cause;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace gonogo::identify

@@ -33,7 +33,8 @@ bool is_most(bool is_misread, std::size_t explained, std::size_t departures);
 
 // Which of the causes that have been named explains another finding, the smallest of its programs
 // first, perhaps in another dialect: the first that explains that one and most of all. It counts
-// them, and loses rivals that explain less of them. Null: none. Throws SubjectUnusable.
+// them, and loses rivals that explain less of them; where a rival alone explains them, the cause is
+// named after that. Null: none. Throws SubjectUnusable.
 LikelyCause* recognise(std::vector<LikelyCause>& named, oracle::Subject& subject,
                        std::span<const ProgramAsked> programs, const ExplanationOptions& options);
 

@@ -95,6 +95,31 @@ TEST(LikelyCause, IsRecognisedInAnotherDialectAndCountsItsDepartures) {
   EXPECT_EQ(recognise(named, *right, programs, {}), nullptr);
 }
 
+// A first finding that has G2 alone tells nothing of G3.
+TEST(LikelyCause, IsNamedAfterTheRivalThatExplainsAnotherFindingAsWell) {
+  const auto subject = builtin("ngc", "inch-offsets-unscaled");
+  std::vector<LikelyCause> named = {
+      {"I J K of G2 is not converted from inches",
+       {"first"},
+       {},
+       3,
+       {"every arc turns the other way", "I J K of G2 G3 is not converted from inches"}}};
+  const ProgramAsked asked{"second", "F100\nG20\nG3 X1 Y1 I0.5 J0.5\nM2\n",
+                           testing::default_machine("rs274")};
+  const LikelyCause* const found = recognise(named, *subject, std::span(&asked, 1), {});
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->name, "I J K of G2 G3 is not converted from inches");
+  EXPECT_EQ(found->evidence(),
+            "It explains 2 of 2 departures that were tried, and that 3 programs pass.");
+  // Where it leaves some, the rival may leave others.
+  named.front() = {"I J K of G2 is not converted from inches",
+                   {"a"},
+                   {"b"},
+                   3,
+                   {"I J K of G2 G3 is not converted from inches"}};
+  EXPECT_EQ(recognise(named, *subject, std::span(&asked, 1), {}), nullptr);
+}
+
 TEST(LikelyCause, OfALimitBeyondWhichNoPathIsLeft) {
   const Attribution found =
       attribute_fault("ngc", "g76-equal-k-passed", "ngc.threading.v1-t2f2-s1.000037");
