@@ -156,6 +156,7 @@ Variants variants_for(const Observation& departure) {
   add_machine_variants(departure, variants);
   add_record_variants(departure, variants);
   add_misread(add_word_variants, departure, variants);
+  add_misread(add_bracket_variants, departure, variants);
   add_retained_variants(departure, variants);
   add_modal_variants(departure, variants);
   add_misread(add_code_variants, departure, variants);

@@ -29,6 +29,12 @@ void add_text(std::string name, TextChange change, Variants& out) {
        }});
 }
 
+void add_edit(std::string name, program::WordEdit edit, Variants& out) {
+  add_text(
+      std::move(name),
+      [edit = std::move(edit)](const ProgramText& program) { return edited(program, edit); }, out);
+}
+
 void add_outcome(std::string name, OutcomeChange change, Variants& out) {
   out.push_back(
       {std::move(name),
@@ -86,6 +92,7 @@ std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& ta
   using reference::Role;
   return {addresses_with(table, {Role::centre}),
           addresses_with(table, {Role::centre, Role::radius}),
+          addresses_with(table, {Role::middle}),
           addresses_with(table, {Role::place}, true),
           addresses_with(table, {Role::size, Role::step}),
           addresses_with(table, {Role::way}),

@@ -73,6 +73,7 @@ void add_model(std::string name, ModelChange change, Variants& out);
 // The program, changed. Nothing: it stays the same.
 using TextChange = std::function<std::optional<std::string>(const ProgramText&)>;
 void add_text(std::string name, TextChange change, Variants& out);
+void add_edit(std::string name, program::WordEdit edit, Variants& out);
 // The subject's outcome, with what the mistake made of it undone.
 using OutcomeChange = std::function<void(const Observation&, KeptOutcome&)>;
 void add_outcome(std::string name, OutcomeChange change, Variants& out);
@@ -113,6 +114,8 @@ std::vector<BlockPath> paths_of(const Observation& seen, std::size_t blocks);
 void add_machine_variants(const Observation& departure, Variants& out);
 // A word negated, doubled, halved, in other units, ignored, exchanged with another.
 void add_word_variants(const Observation& departure, Variants& out);
+// A word with AC or IC, or with neither, read as another of them.
+void add_bracket_variants(const Observation& departure, Variants& out);
 // A code taken for another one, ignored; words that stay in force too long or not long enough.
 void add_code_variants(const Observation& departure, Variants& out);
 void add_modal_variants(const Observation& departure, Variants& out);

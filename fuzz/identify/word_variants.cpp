@@ -147,12 +147,6 @@ const std::vector<Operation>& operations() {
   return kOperations;
 }
 
-void add_edit(std::string name, program::WordEdit edit, Variants& out) {
-  add_text(
-      std::move(name),
-      [edit = std::move(edit)](const ProgramText& program) { return edited(program, edit); }, out);
-}
-
 void add_operations(const Scope& scope, const reference::Descriptor& table, Variants& out) {
   // The simplest goes first: what is ignored may be too small to matter as well.
   add_edit(
@@ -257,28 +251,6 @@ void add_exchanges(const reference::Descriptor& table, const Addresses& addresse
   }
 }
 
-// X=AC(10) read as X=10, as the mode in force says; or as the other of the two. No addresses: in
-// every word.
-void add_brackets(const Addresses& addresses, Variants& out) {
-  const std::string of = addresses.empty() ? "" : fmt::format(" of {}", fmt::join(addresses, " "));
-  for (const std::string_view name : {"AC", "IC"}) {
-    for (const std::string_view instead : {"", "AC", "IC"}) {
-      if (name == instead) continue;
-      add_edit(
-          instead.empty() ? fmt::format("{}{} is ignored", name, of)
-                          : fmt::format("{}{} does what {} does", name, of, instead),
-          [=](const TextBlock&, const TextWord& word) -> std::optional<std::string> {
-            std::string text = word.text;
-            const std::size_t at = text.find(fmt::format("{}(", name));
-            const bool is_meant = addresses.empty() || addresses.contains(name_of(word));
-            if (!is_meant || at == std::string::npos) return std::nullopt;
-            return text.replace(at, name.size(), instead);
-          },
-          out);
-    }
-  }
-}
-
 // The axis across the plane of an arc does not move.
 void add_flat_arcs(Variants& out) {
   add_edit(
@@ -317,11 +289,6 @@ void add_word_variants(const Observation& departure, Variants& out) {
     add_operations({set, {}, plane}, table, out);
   }
   add_exchanges(table, addresses, plane, out);
-  if (!departure.profile.dialect.starts_with("sinumerik")) return;
-  add_brackets({}, out);
-  for (const Addresses& kin : kin_addresses(table)) {
-    if (!kin.empty()) add_brackets(kin, out);
-  }
 }
 
 }  // namespace gonogo::identify
