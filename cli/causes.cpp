@@ -18,8 +18,15 @@ namespace gonogo::cli {
 namespace {
 
 constexpr std::size_t kMostOfFinding = 8;  // cases
+constexpr std::size_t kMostOfCycle = 4;    // of those that tell whether a cause holds
 
-using Programs = std::map<std::string, identify::ProgramAsked>;
+using identify::ProgramAsked;
+
+// Cases as the campaign asked for them.
+struct Programs {
+  std::map<std::string, ProgramAsked> of_findings;              // by their ids
+  std::map<std::string, std::vector<ProgramAsked>> of_dialect;  // a few of each cycle
+};
 
 // A breakdown has no cause in the reference's terms.
 bool may_have_cause(const oracle::Finding& finding) {
@@ -36,7 +43,6 @@ std::vector<std::string> ids_of(const oracle::Finding& finding) {
   return ids;
 }
 
-// The cases as the campaign asked for them.
 Programs programs_of(const std::vector<const oracle::Finding*>& findings,
                      const oracle::Corpus& corpus, const oracle::CampaignOptions& campaign) {
   std::set<std::string> wanted;
@@ -44,21 +50,29 @@ Programs programs_of(const std::vector<const oracle::Finding*>& findings,
     for (std::string& id : ids_of(*finding)) wanted.insert(std::move(id));
   }
   Programs programs;
+  std::map<std::pair<std::string, std::string>, std::size_t> of_cycle;
   oracle::CaseReader reader(corpus, oracle::Detail::to_run, campaign.dialects);
   while (const auto test = reader.next()) {
-    if (!wanted.contains(test->id)) continue;
-    if (const auto own = oracle::under(campaign, *test)) {
-      programs[own->id] = {own->id, own->program, own->profile};
+    const bool is_wanted = wanted.contains(test->id);
+    if (!is_wanted && of_cycle[{test->dialect, test->cycle}] == kMostOfCycle) continue;
+    const auto own = oracle::under(campaign, *test);
+    if (!own) continue;
+    const ProgramAsked asked{own->id, own->program, own->profile};
+    if (is_wanted) {
+      programs.of_findings[own->id] = asked;
+    } else {
+      programs.of_dialect[test->dialect].push_back(asked);
+      ++of_cycle[{test->dialect, test->cycle}];
     }
   }
   return programs;
 }
 
-std::vector<identify::ProgramAsked> programs_of(const oracle::Finding& finding,
-                                                const Programs& programs) {
-  std::vector<identify::ProgramAsked> own;
+std::vector<ProgramAsked> programs_of(const oracle::Finding& finding, const Programs& programs) {
+  std::vector<ProgramAsked> own;
   for (const std::string& id : ids_of(finding)) {
-    if (const auto found = programs.find(id); found != programs.end()) own.push_back(found->second);
+    const auto found = programs.of_findings.find(id);
+    if (found != programs.of_findings.end()) own.push_back(found->second);
   }
   return own;
 }
@@ -71,17 +85,21 @@ class Naming {
       : corpus_(corpus), make_(make), options_(options), most_(most) {}
 
   // Throws SubjectUnusable.
-  void take(const oracle::Finding& finding, const std::vector<identify::ProgramAsked>& programs) {
-    if (programs.empty()) return;
+  void take(const oracle::Finding& finding, const Programs& programs) {
+    const std::vector<ProgramAsked> own = programs_of(finding, programs);
+    if (own.empty()) return;
+    const auto others = programs.of_dialect.find(finding.key.dialect);
+    identify::FindingAsked asked{own, {}};
+    if (others != programs.of_dialect.end()) asked.others = others->second;
     const identify::LikelyCause* const known =
-        named_.empty() ? nullptr : recognise(named_, *make_(), programs, options_);
+        named_.empty() ? nullptr : recognise(named_, *make_(), asked, options_);
     if (known != nullptr) {
       asked_[finding.key] = static_cast<std::size_t>(known - named_.data());
     } else if (attributed_ < most_) {
       ++attributed_;
       const auto subject = make_();
       asked_[finding.key] =
-          add(likely_cause(identify::attribute(*subject, corpus_, programs.front(), options_)));
+          add(likely_cause(identify::attribute(*subject, corpus_, own.front(), options_)));
     }
   }
   oracle::evidence::Causes causes() const {
@@ -129,9 +147,7 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
   const Programs programs = programs_of(findings, corpus, campaign);
   Naming naming(corpus, make, options, most);
   try {
-    for (const oracle::Finding* finding : findings) {
-      naming.take(*finding, programs_of(*finding, programs));
-    }
+    for (const oracle::Finding* finding : findings) naming.take(*finding, programs);
   } catch (const std::exception&) {
     // The run has its answer; what it comes from is a courtesy.
   }

@@ -256,6 +256,7 @@ LikelyCause likely_cause(const Attribution& all) {
   if (contradict(equal)) return {};
   const Cause& first = equal.front();
   LikelyCause likely{first.name, first.explained, left_over(all, first), first.passes, {}};
+  for (const Observation& seen : all.programs) likely.dialects.insert(seen.profile.dialect);
   for (std::size_t i = 1; i < equal.size(); ++i) likely.rivals.push_back(equal[i].name);
   return likely;
 }

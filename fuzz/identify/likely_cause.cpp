@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "oracle/records/run_scope.hpp"
 
@@ -34,9 +35,9 @@ void add_new(const std::vector<std::string>& ids, std::vector<std::string>& to) 
 // The programs of another finding and the mistakes that may be what they depart by.
 class Recognition {
  public:
-  Recognition(oracle::Subject& subject, std::span<const ProgramAsked> programs,
+  Recognition(oracle::Subject& subject, const FindingAsked& finding,
               const ExplanationOptions& options)
-      : explainer_(subject, options), programs_(programs) {
+      : explainer_(subject, options), programs_(finding.departures), others_(finding.others) {
     while (departures_.empty() && !programs_.empty()) observe_next();
     if (!departures_.empty()) variants_ = variants_for(departures_.front());
   }
@@ -45,6 +46,9 @@ class Recognition {
   bool take(LikelyCause& cause, bool by_rival) {
     const Variant* const variant = by_rival ? rival_of(cause) : meant_by(cause.name);
     if (variant == nullptr) return false;
+    const std::string dialect = departures_.front().profile.dialect;
+    const bool is_new = !cause.dialects.contains(dialect);
+    if (is_new && !keeps_passes(*variant)) return false;
     while (!programs_.empty()) observe_next();
     LikelyCause here;
     for (const Observation& seen : departures_) {
@@ -53,8 +57,12 @@ class Recognition {
     if (!is_most(variant->is_misread, here.explained.size(), departures_.size())) return false;
     cause.name = variant->name;
     cause.add(here);
+    if (is_new) cause.passes += passing_.size();
+    cause.dialects.insert(dialect);
     std::erase_if(cause.rivals, [&](const std::string& rival) {
-      return rival == cause.name || count(find(variants_, rival)) < here.explained.size();
+      const Variant* const other = find(variants_, rival);
+      return rival == cause.name || other == nullptr || count(*other) < here.explained.size() ||
+             (is_new && !keeps_passes(*other));
     });
     return true;
   }
@@ -82,14 +90,24 @@ class Recognition {
     return nullptr;
   }
 
-  std::size_t count(const Variant* variant) {
-    if (variant == nullptr) return 0;
+  std::size_t count(const Variant& variant) {
     return static_cast<std::size_t>(std::ranges::count_if(
-        departures_, [&](const Observation& seen) { return explainer_.explains(*variant, seen); }));
+        departures_, [&](const Observation& seen) { return explainer_.explains(variant, seen); }));
+  }
+
+  bool keeps_passes(const Variant& variant) {
+    for (const ProgramAsked& other : std::exchange(others_, {})) {
+      std::optional<Observation> seen = explainer_.observe(other);
+      if (seen && !seen->departs()) passing_.push_back(*std::move(seen));
+    }
+    return std::ranges::all_of(
+        passing_, [&](const Observation& seen) { return explainer_.explains(variant, seen); });
   }
 
   Explainer explainer_;
   std::span<const ProgramAsked> programs_;  // still to be run
+  std::span<const ProgramAsked> others_;    // as well
+  std::vector<Observation> passing_;        // of those
   std::vector<Observation> departures_;
   Variants variants_;  // of the first
 };
@@ -124,8 +142,8 @@ bool is_most(bool is_misread, std::size_t explained, std::size_t departures) {
 }
 
 LikelyCause* recognise(std::vector<LikelyCause>& named, oracle::Subject& subject,
-                       std::span<const ProgramAsked> programs, const ExplanationOptions& options) {
-  Recognition recognition(subject, programs, options);
+                       const FindingAsked& finding, const ExplanationOptions& options) {
+  Recognition recognition(subject, finding, options);
   for (const bool by_rival : {false, true}) {
     for (LikelyCause& cause : named) {
       if (recognition.take(cause, by_rival)) return &cause;

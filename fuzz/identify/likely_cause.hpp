@@ -4,6 +4,7 @@
 // tried: told in the same words of a run and of a hunt.
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct LikelyCause {
   std::vector<std::string> unexplained;  // the others that were tried
   std::size_t passes = 0;                // programs that are GO and would be with it
   std::vector<std::string> rivals;       // mistakes that explain as much
+  std::set<std::string> dialects = {};   // that those programs are of
 
   bool empty() const { return name.empty(); }
   // Those that it does not count yet.
@@ -31,11 +33,18 @@ struct LikelyCause {
 // them, and three quarters where it is one of reading a word.
 bool is_most(bool is_misread, std::size_t explained, std::size_t departures);
 
-// Which of the causes that have been named explains another finding, the smallest of its programs
-// first, perhaps in another dialect: the first that explains that one and most of all. It counts
-// them, and loses rivals that explain less of them; where a rival alone explains them, the cause is
-// named after that. Null: none. Throws SubjectUnusable.
+// Programs of one dialect: those that a finding departs on, the smallest first, and others, of
+// which those that pass must pass with its cause, too.
+struct FindingAsked {
+  std::span<const ProgramAsked> departures;
+  std::span<const ProgramAsked> others;
+};
+
+// Which of the causes that have been named explains another finding, perhaps in another dialect:
+// the first that explains its smallest program and most of all. It counts them, and loses rivals
+// that explain less of them; where a rival alone explains them, the cause is named after that.
+// Null: none. Throws SubjectUnusable.
 LikelyCause* recognise(std::vector<LikelyCause>& named, oracle::Subject& subject,
-                       std::span<const ProgramAsked> programs, const ExplanationOptions& options);
+                       const FindingAsked& finding, const ExplanationOptions& options);
 
 }  // namespace gonogo::identify

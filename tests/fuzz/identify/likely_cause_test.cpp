@@ -85,14 +85,17 @@ TEST(LikelyCause, IsRecognisedInAnotherDialectAndCountsItsDepartures) {
   const std::string name = "every CIP turns the other way";
   std::vector<LikelyCause> named = {{"another", {"x"}, {}, 1, {}},
                                     {name, {"s840.cip.000001"}, {}, 3, {"CIP is ignored"}}};
-  const std::vector<ProgramAsked> programs = {case_of("s802.path.000013")};
-  const LikelyCause* const found = recognise(named, *subject, programs, {});
+  std::vector<ProgramAsked> departures(4, case_of("s802.path.000013"));
+  for (std::size_t i = 1; i < departures.size(); ++i) departures[i].id += fmt::format("-{}", i);
+  const std::vector<ProgramAsked> others = {case_of("s802.path.000001"), departures.front()};
+  const LikelyCause* const found = recognise(named, *subject, {departures, others}, {});
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->name, name);
   EXPECT_EQ(found->evidence(),
-            "It explains 2 of 2 departures that were tried, and that 3 programs pass.");
+            "It explains 5 of 5 departures that were tried, and that 4 programs pass.");
+  EXPECT_EQ(found->dialects, std::set<std::string>{"sinumerik802s"});
   const auto right = builtin("sinumerik");
-  EXPECT_EQ(recognise(named, *right, programs, {}), nullptr);
+  EXPECT_EQ(recognise(named, *right, {departures, others}, {}), nullptr);
 }
 
 // A first finding that has G2 alone tells nothing of G3.
@@ -106,7 +109,7 @@ TEST(LikelyCause, IsNamedAfterTheRivalThatExplainsAnotherFindingAsWell) {
        {"every arc turns the other way", "I J K of G2 G3 is not converted from inches"}}};
   const ProgramAsked asked{"second", "F100\nG20\nG3 X1 Y1 I0.5 J0.5\nM2\n",
                            testing::default_machine("rs274")};
-  const LikelyCause* const found = recognise(named, *subject, std::span(&asked, 1), {});
+  const LikelyCause* const found = recognise(named, *subject, {{&asked, 1}, {}}, {});
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->name, "I J K of G2 G3 is not converted from inches");
   EXPECT_EQ(found->evidence(),
@@ -117,7 +120,7 @@ TEST(LikelyCause, IsNamedAfterTheRivalThatExplainsAnotherFindingAsWell) {
                    {"b"},
                    3,
                    {"I J K of G2 G3 is not converted from inches"}};
-  EXPECT_EQ(recognise(named, *subject, std::span(&asked, 1), {}), nullptr);
+  EXPECT_EQ(recognise(named, *subject, {{&asked, 1}, {}}, {}), nullptr);
 }
 
 TEST(LikelyCause, OfALimitBeyondWhichNoPathIsLeft) {
@@ -148,7 +151,8 @@ class Misreading : public testing::ReferenceSubject {
   oracle::RunEnd run(std::string_view id, std::string_view program,
                      const oracle::RecordSink& sink) override {
     std::string text(program);
-    text.replace(text.find(written_), written_.size(), read_);
+    const std::size_t at = text.find(written_);
+    if (at != std::string::npos) text.replace(at, written_.size(), read_);
     return ReferenceSubject::run(id, text, sink);
   }
 
@@ -175,7 +179,7 @@ TEST(LikelyCause, OfAWayToAReferencePointOfRs274) {
     const ProgramAsked asked{"home", "G0 X1 Y2 Z3\nG91\n" + written + "\nG90 G1 X9 Y9 F100\nM2\n",
                              machine};
     Misreading subject(written, read);
-    const LikelyCause* const found = recognise(named, subject, std::span(&asked, 1), {});
+    const LikelyCause* const found = recognise(named, subject, {{&asked, 1}, {}}, {});
     return found == nullptr ? std::string() : found->name;
   };
   EXPECT_EQ(cause_of("G28 Z-4", "G28 Z0"), "G28 leaves out the point of its words");
@@ -184,6 +188,17 @@ TEST(LikelyCause, OfAWayToAReferencePointOfRs274) {
   EXPECT_EQ(cause_of("G28", "G4 P0"), "G28 without a word of an axis moves none");
   EXPECT_EQ(cause_of("G28 Z-4", "G28 Z-4"), "the reference point is the zero point of the machine");
   EXPECT_EQ(cause_of("G28 Z-4", "G28 Z5"), "");
+}
+
+TEST(LikelyCause, IsNotRecognisedWhereAProgramPassesThatWouldNot) {
+  const std::string name = "G28 leaves out the point of its words";
+  const Profile machine = testing::default_machine("rs274");
+  const ProgramAsked asked{"departs", "G0 X1 Z3\nG91\nG28 Z4\nM2\n", machine};
+  const ProgramAsked passes{"passes", "G0 X1 Z3\nG91\nG28 Z5\nM2\n", machine};
+  Misreading subject("G28 Z4", "G28 Z0");
+  std::vector<LikelyCause> named = {{name, {}, {}, 0, {}}};
+  EXPECT_EQ(recognise(named, subject, {{&asked, 1}, {&passes, 1}}, {}), nullptr);
+  EXPECT_NE(recognise(named, subject, {{&asked, 1}, {}}, {}), nullptr);
 }
 
 // A CT behind the CIP goes on from it, so that more departs than the CIP itself.
