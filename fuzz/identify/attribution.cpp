@@ -73,6 +73,7 @@ bool Attributor::count(const Variant& variant, const Observation& seen, Cause& c
 void Attributor::try_variant(const Variant& variant) {
   ++found_.tried;
   Cause cause{variant.name, 0, 0, 0, variant.opposite, variant.is_misread, found_.tried};
+  cause.is_by_path = variant.apply != nullptr;
   std::size_t tried = 0;
   for (const Observation& seen : found_.programs) {
     if (seen.departs() && ++tried > kTriedFirst && cause.departures == 0) return;
@@ -254,6 +255,12 @@ LikelyCause likely_cause(const Attribution& all) {
   }
   if (equal.empty() || (equal.size() > kFew && all.departures < kFew)) return {};
   if (contradict(equal)) return {};
+  // What does all that the subject does says more than that a rule is not checked.
+  if (!equal.front().is_by_path) {
+    const auto followed = std::ranges::find_if(
+        equal, [](const Cause& cause) { return cause.is_by_path && !cause.is_misread; });
+    if (followed != equal.end()) std::rotate(equal.begin(), followed, followed + 1);
+  }
   const Cause& first = equal.front();
   LikelyCause likely{first.name, first.explained, left_over(all, first), first.passes, {}};
   for (const Observation& seen : all.programs) likely.dialects.insert(seen.profile.dialect);

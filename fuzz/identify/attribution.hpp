@@ -27,6 +27,7 @@ struct Cause {
   bool is_misread = false;     // as of the variant
   std::size_t place = 0;       // among the mistakes that were tried, the simplest first
   std::vector<std::string> explained = {};  // the departures, by their ids
+  bool is_by_path = true;                   // held against what the subject does, not a verdict
 };
 
 struct Attribution {

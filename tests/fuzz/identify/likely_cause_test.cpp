@@ -201,6 +201,17 @@ TEST(LikelyCause, IsNotRecognisedWhereAProgramPassesThatWouldNot) {
   EXPECT_NE(recognise(named, subject, {{&asked, 1}, {}}, {}), nullptr);
 }
 
+// Its words go without a check as well as they come from the cycle before.
+TEST(LikelyCause, IsTheOneThatSaysWhatTheSubjectDoesRatherThanWhatItDoesNotCheck) {
+  Attribution found = seen_of(1, 2);
+  found.complete = {explains("R is not checked", 1, 2), explains("R stays in force", 1, 2)};
+  found.complete.front().is_by_path = false;
+  EXPECT_EQ(likely_cause(found).name, "R stays in force");
+  EXPECT_EQ(likely_cause(found).rivals, std::vector<std::string>{"R is not checked"});
+  found.complete.back().is_misread = true;
+  EXPECT_NE(likely_cause(found).name, "R stays in force");
+}
+
 // A CT behind the CIP goes on from it, so that more departs than the CIP itself.
 TEST(LikelyCause, OfACipTheOtherWayRound) {
   const Attribution found = attribute_fault("sinumerik", "cip-sense-flipped", "s840.cip.000001");
