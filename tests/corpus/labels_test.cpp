@@ -49,10 +49,14 @@ Box box_of(const std::smatch& text) {
   const double x = std::stod(text[1]);
   const double y = std::stod(text[2]);
   const std::string anchor = text[4];
-  const double left = anchor.find("middle") != std::string::npos ? x - width / 2
-                      : anchor.find("end") != std::string::npos  ? x - width
-                                                                 : x;
-  return {left, y - 0.73 * size, left + width, y, text[5]};
+  const double before = anchor.find("middle") != std::string::npos ? width / 2
+                        : anchor.find("end") != std::string::npos  ? width
+                                                                   : 0;
+  // Upright it is read from the right.
+  if (anchor.find("rotate(-90") != std::string::npos) {
+    return {x - 0.73 * size, y + before - width, x, y + before, text[5]};
+  }
+  return {x - before, y - 0.73 * size, x - before + width, y, text[5]};
 }
 
 std::vector<Box> labels_of(const std::string& svg) {
