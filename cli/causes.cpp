@@ -146,10 +146,13 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
   std::erase_if(findings, [](const auto* finding) { return !may_have_cause(*finding); });
   const Programs programs = programs_of(findings, corpus, campaign);
   Naming naming(corpus, make, options, most);
-  try {
-    for (const oracle::Finding* finding : findings) naming.take(*finding, programs);
-  } catch (const std::exception&) {
-    // The run has its answer; what it comes from is a courtesy.
+  for (const oracle::Finding* finding : findings) {
+    try {
+      naming.take(*finding, programs);
+    } catch (const std::exception&) {
+      // The run has its answer; what it comes from is a courtesy.
+      break;
+    }
   }
   return naming.causes();
 }

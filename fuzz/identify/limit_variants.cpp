@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 
 #include "fuzz/identify/variant.hpp"
 
@@ -105,13 +107,15 @@ void add_limits(const Observation& departure, const std::string& address, const 
 
 // The words that its alarms name go first.
 std::vector<std::string> words_in_order(const Observation& departure) {
-  const auto addresses = addresses_in(ProgramText(departure.profile, departure.program));
-  std::vector<std::string> words(addresses.begin(), addresses.end());
-  std::ranges::stable_partition(words, [&](const std::string& address) {
+  const auto is_named = [&](const std::string& address) {
     return std::ranges::any_of(departure.alarms, [&](const reference::Alarm& alarm) {
       return alarm.word.text() == address;
     });
-  });
+  };
+  const auto addresses = addresses_in(ProgramText(departure.profile, departure.program));
+  std::vector<std::string> words;
+  std::ranges::copy_if(addresses, std::back_inserter(words), is_named);
+  std::ranges::copy_if(addresses, std::back_inserter(words), std::not_fn(is_named));
   return words;
 }
 

@@ -54,7 +54,9 @@ test('one fault is one finding, with its cause and all of its symptoms', () => w
   assert.ok(told.findings[0].faces.length > 10);
   assert.equal(await page.locator('#told .badge').innerText(), `1 finding, ${told.findings[0].faces.length} symptoms`);
   assert.equal(await page.locator('section[id^=finding-]').count(), 1);
-  assert.equal(await page.locator('.cause').innerText(), `Behaves as if: ${told.findings[0].cause}.`);
+  assert.equal(await page.locator('.cause').innerText(),
+    `Behaves as if: ${told.findings[0].cause}. ${told.findings[0].evidence}`);
+  assert.match(told.findings[0].evidence, /^It explains [0-9]+ of [0-9]+ departures/);
   assert.equal(await page.locator('#symptoms-1 tbody tr').count(), told.findings[0].faces.length);
   const times = (await page.locator('#symptoms-1 tbody td.number').allInnerTexts()).map(Number);
   // By gravity, paths before alarms, and of one verdict the most frequent first.
