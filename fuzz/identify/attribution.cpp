@@ -15,8 +15,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = 4'000;
 constexpr std::size_t kMostPartial = 10;
-constexpr std::size_t kTriedFirst =
-    8;  // departures: what explains none of them explains few others
+constexpr std::size_t kTriedFirst = 8;  // departures: who explains none of them, explains few
 constexpr std::size_t kMostTried = 12;  // mistakes on further programs, except equals
 
 class Attributor {
