@@ -89,10 +89,7 @@ void tell_distance(Verdict& verdict, const Number& distance, const Position& got
     if (is_rotary) rotary = axis;
   }
   if (linear || !rotary) return set_deviation(verdict, distance);
-  verdict.message +=
-      reference::with_values(fmt::format(" The axis {} is at {{}} degrees in place of {{}}.",
-                                         *rotary == Axis::a ? 'A' : 'C'),
-                             {got[*rotary], want[*rotary]});
+  tell_degrees(verdict, *rotary, got, want);
 }
 
 std::string_view short_sentence(RecordKind kind) {
@@ -124,6 +121,13 @@ Verdict short_of(const Motion& want, const Motion& piece) {
   } catch (const exact::Undecided&) {
   }
   return verdict;
+}
+
+void tell_degrees(Verdict& verdict, Axis rotary, const Position& got, const Position& want) {
+  verdict.message +=
+      reference::with_values(fmt::format(" The axis {} is at {{}} degrees in place of {{}}.",
+                                         rotary == Axis::a ? 'A' : 'C'),
+                             {got[rotary], want[rotary]});
 }
 
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,

@@ -16,6 +16,8 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Toler
 
 // J-CMP-12. `piece` is the last of `want` that the subject has put out.
 Verdict short_of(const Motion& want, const Motion& piece);
+// How far a rotary axis is off, behind the message.
+void tell_degrees(Verdict& verdict, Axis rotary, const Position& got, const Position& want);
 // The trace ends, or alarms (`got`), where a step is due.
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
                    const std::string& got);

@@ -99,7 +99,10 @@ CurveAnswer Curve::end_of_piece(const CurveProgress& from, const Motion& subject
     return CurveAnswer::goes(std::move(progress), true);
   }
   if (progress.arc >= whole) {
-    return CurveAnswer::departs(Departure::geometry, "The arc goes beyond its end.");
+    // At the end's angle it is off in its radius or along another axis.
+    const bool is_beyond = progress.arc > whole + kEstimate;
+    return CurveAnswer::departs(Departure::geometry, is_beyond ? "The arc goes beyond its end."
+                                                               : "The arc ends off the curve.");
   }
   const int height = round_->on_helix(subject.to(), progress.arc, tolerances_.tolerance);
   const int radius = round_->on_spiral(subject.to(), progress.arc, tolerances_.tolerance);

@@ -152,6 +152,14 @@ TEST(DepartureMessage, AnArcThatEndsOffItsCircleIsToldByItsRadius) {
          {VerdictKind::fail_geometry, 0, "NGC-ARC-05", "0.25", "The arc ends off the curve."});
 }
 
+// At the angle of its end, half a millimetre too deep.
+TEST(DepartureMessage, AHelixThatIsOffInDepthAloneDoesNotGoBeyondItsEnd) {
+  TraceText trace(2, 100);
+  trace.arc("G17", {{'x', 10}, {'y', 0}}, -1, {{'x', 0}, {'y', 0}, {'z', -12.5}});
+  expect(judge_trace(kHelix, trace.text(), of("rs274")),
+         {VerdictKind::fail_geometry, 0, "NGC-ARC-05", "0.5", "The arc ends off the curve."});
+}
+
 TEST(DepartureMessage, AHelixThatStopsAQuarterTurnShortIsNamed) {
   TraceText trace(2, 100);
   trace.arc("G17", {{'x', 10}, {'y', 0}}, -1, {{'x', 10}, {'y', -10}, {'z', -9}});
@@ -213,6 +221,17 @@ TEST(DepartureMessage, ARotaryAxisDepartsInDegrees) {
   EXPECT_EQ(verdict.deviation_mm, "");
   EXPECT_NE(verdict.message.find("The axis A is at 45 degrees in place of 30."), std::string::npos)
       << verdict.message;
+}
+
+TEST(DepartureMessage, TheEndHasARotaryAxisInDegrees) {
+  TraceText trace(1, 100);
+  trace.line(R"({"k":"rapid","b":1,"to":{"x":"10","a":"30"}})");
+  trace.line(R"({"k":"end","to":{"x":"10","y":"0","z":"0","a":"45"}})");
+  const Verdict verdict = judge_trace("G0 X10 A30\nM2\n", trace.text(), of("rs274"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+  EXPECT_EQ(verdict.deviation_mm, "");
+  EXPECT_EQ(verdict.message,
+            "The end position differs. The axis A is at 45 degrees in place of 30.");
 }
 
 TEST(DepartureMessage, ALeadThatDiffersHasBothValues) {
