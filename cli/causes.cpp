@@ -68,7 +68,7 @@ Programs programs_of(const std::vector<const oracle::Finding*>& findings,
   return programs;
 }
 
-std::vector<ProgramAsked> programs_of(const oracle::Finding& finding, const Programs& programs) {
+std::vector<ProgramAsked> asked_of(const oracle::Finding& finding, const Programs& programs) {
   std::vector<ProgramAsked> own;
   for (const std::string& id : ids_of(finding)) {
     const auto found = programs.of_findings.find(id);
@@ -86,7 +86,7 @@ class Naming {
 
   // Throws SubjectUnusable.
   void take(const oracle::Finding& finding, const Programs& programs) {
-    const std::vector<ProgramAsked> own = programs_of(finding, programs);
+    const std::vector<ProgramAsked> own = asked_of(finding, programs);
     if (own.empty()) return;
     const auto others = programs.of_dialect.find(finding.key.dialect);
     identify::FindingAsked asked{own, {}};
@@ -144,17 +144,16 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
   options.most_records = kMostRecordsToExplain;
   std::vector<const oracle::Finding*> findings = summary.findings.list();
   std::erase_if(findings, [](const auto* finding) { return !may_have_cause(*finding); });
-  const Programs programs = programs_of(findings, corpus, campaign);
+  if (findings.empty()) return {};
   Naming naming(corpus, make, options, most);
-  for (const oracle::Finding* finding : findings) {
-    try {
-      naming.take(*finding, programs);
-    } catch (const std::exception&) {
-      // The run has its answer; what it comes from is a courtesy.
-      break;
-    }
+  try {
+    const Programs programs = programs_of(findings, corpus, campaign);
+    for (const oracle::Finding* finding : findings) naming.take(*finding, programs);
+    return naming.causes();
+  } catch (const std::exception&) {
+    // The run has its answer; what it comes from is a courtesy.
+    return naming.causes();
   }
-  return naming.causes();
 }
 
 }  // namespace gonogo::cli

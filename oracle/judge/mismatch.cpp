@@ -84,9 +84,8 @@ void tell_distance(Verdict& verdict, const Number& distance, const Position& got
   bool linear = false;
   for (Axis axis : kAllAxes) {
     if (agree(got[axis], want[axis], tolerance)) continue;
-    const bool is_rotary = axis == Axis::a || axis == Axis::c;
-    linear = linear || !is_rotary;
-    if (is_rotary) rotary = axis;
+    linear = linear || reference::is_linear(axis);
+    if (!reference::is_linear(axis)) rotary = axis;
   }
   if (linear || !rotary) return set_deviation(verdict, distance);
   tell_degrees(verdict, *rotary, got, want);

@@ -218,12 +218,12 @@ std::optional<Verdict> ProgramJudge::compare_end(const Record& end) const {
     verdict.record = records_ - 1;
     verdict.want = record_text(end);
     verdict.got = record_text(*end_record_);
-    if (axis == Axis::a || axis == Axis::c) {
-      verdict.message = "The end position differs.";
-      tell_degrees(verdict, axis, end_record_->to, end.to);
-    } else {
+    if (reference::is_linear(axis)) {
       verdict.message = fmt::format("The end position differs on axis {}.", letter(axis));
       set_deviation(verdict, abs(end_record_->to[axis] - end.to[axis]));
+    } else {
+      verdict.message = "The end position differs.";
+      tell_degrees(verdict, axis, end_record_->to, end.to);
     }
     return verdict;
   }

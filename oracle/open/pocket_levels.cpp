@@ -193,9 +193,13 @@ bool PocketMillingJudge::admits_depth(const Number& depth) const {
   // SIE-LC75-11
   if (item_.one_level && first_ && is_floor(depth)) return true;
   if (due_place(depth)) return true;
-  if (item_.levels != Levels::open && !item_.one_level) return false;
+  if (are_levels_named()) return false;
   if (item_.finishing && !has_strip()) return true;
   return depth >= deepest_infeed() - tau;
+}
+
+bool PocketMillingJudge::are_levels_named() const {
+  return item_.levels != Levels::open && !item_.one_level;
 }
 
 Number PocketMillingJudge::deepest_infeed() const {
@@ -206,13 +210,12 @@ Number PocketMillingJudge::deepest_infeed() const {
 OpenStepAnswer PocketMillingJudge::wrong_depth(const Motion& motion) const {
   using reference::with_values;
   const Number& tau = tolerances_.tolerance;
-  const bool is_named = item_.levels != Levels::open && !item_.one_level;
   std::string text =
       with_values("The depth of the level is none that the infeed admits. It is {}", {depth_});
   Number due = item_.floor;
   if (depth_ < item_.floor - tau) {
     text += with_values(", below the floor at {}.", {item_.floor});
-  } else if (!is_named) {
+  } else if (!are_levels_named()) {
     due = max(deepest_infeed(), item_.floor);
     text += with_values("; it may be from {} to {}.", {last_depth_, due});
   } else {

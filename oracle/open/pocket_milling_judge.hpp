@@ -78,6 +78,8 @@ class PocketMillingJudge : public OpenStep {
   bool is_floor(const Number& depth) const;
   // From the centre at a depth, along the axis where it is farthest; 0: that is not known.
   Number from_centre(const Position& at, const Number& depth) const;
+  // Whether a list names the depths of all levels.
+  bool are_levels_named() const;
   // How deep a level may be behind the last one, where no list names it.
   Number deepest_infeed() const;
   // Whether a level that is not as the floor must be is one just above it.

@@ -39,6 +39,11 @@ Cause explains(std::string name, std::size_t departures, std::size_t passes) {
   return cause;
 }
 
+// A cause of which nothing has been counted.
+LikelyCause called(std::string name) {
+  return {std::move(name), {}, {}, 0, {}};
+}
+
 // Hand made: three departures of four are explained, then two of four, then all by two mistakes.
 TEST(LikelyCause, IsNoneOverAMinorityAndNamesItsRivals) {
   Attribution found = seen_of(4, 2);
@@ -174,7 +179,7 @@ TEST(LikelyCause, OfAWayToAReferencePointOfRs274) {
          {"G28 takes all axes to the reference point", "G28 leaves out the point of its words",
           "G28 without a word of an axis moves none",
           "the reference point is the zero point of the machine"}) {
-      named.push_back({name, {}, {}, 0, {}});
+      named.push_back(called(name));
     }
     const ProgramAsked asked{"home", "G0 X1 Y2 Z3\nG91\n" + written + "\nG90 G1 X9 Y9 F100\nM2\n",
                              machine};
@@ -191,12 +196,11 @@ TEST(LikelyCause, OfAWayToAReferencePointOfRs274) {
 }
 
 TEST(LikelyCause, IsNotRecognisedWhereAProgramPassesThatWouldNot) {
-  const std::string name = "G28 leaves out the point of its words";
   const Profile machine = testing::default_machine("rs274");
   const ProgramAsked asked{"departs", "G0 X1 Z3\nG91\nG28 Z4\nM2\n", machine};
   const ProgramAsked passes{"passes", "G0 X1 Z3\nG91\nG28 Z5\nM2\n", machine};
   Misreading subject("G28 Z4", "G28 Z0");
-  std::vector<LikelyCause> named = {{name, {}, {}, 0, {}}};
+  std::vector<LikelyCause> named = {called("G28 leaves out the point of its words")};
   EXPECT_EQ(recognise(named, subject, {{&asked, 1}, {&passes, 1}}, {}), nullptr);
   EXPECT_NE(recognise(named, subject, {{&asked, 1}, {}}, {}), nullptr);
 }
