@@ -181,6 +181,9 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
                          colour);
   }
   if (shown > kShownFindings) text += "\n";
+  if (!summary.no_cause_because.empty()) {
+    text += fmt::format("No cause was looked for: {}.\n\n", summary.no_cause_because);
+  }
   if (summary.causes_asked > 0) {
     text += fmt::format(
         "A cause was looked for in {} of {} (--causes), and {}.{}\n\n", summary.causes_asked,

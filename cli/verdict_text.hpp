@@ -29,6 +29,7 @@ struct CampaignSummary {
   oracle::Findings findings;
   std::map<std::size_t, oracle::evidence::CaseRow> smallest;  // case of a finding, by its number
   std::size_t causes_asked = 0;  // findings of which a cause was looked for
+  std::string_view no_cause_because;  // why it was looked for in none; empty: it was, or not asked
   std::size_t run_again = 0;     // cases that took more than two runs
   std::size_t further_runs = 0;  // that they took beside two
   oracle::Findings::Order order = oracle::Findings::Order::gravity;

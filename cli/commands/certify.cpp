@@ -302,16 +302,23 @@ void begin_trace_folder(const std::string& folder, const oracle::SubjectInfo& in
   throw UsageError(fmt::format("--traces: {}.", error.what()));
 }
 
-// Recorded output cannot be asked for more programs, and a part of a run is not the place to look.
+// Why no cause is looked for; empty: it is.
+std::string_view why_no_cause(const oracle::CampaignOptions& campaign, const std::string& subject) {
+  if (subject.starts_with("capture:")) return "recorded output runs no further program";
+  if (campaign.shards > 1) return "this is one shard of a run";
+  return campaign.fail_fast ? "the run stopped at its first finding" : "";
+}
+
 void name_causes(const CertifyOptions& options, const oracle::Corpus& corpus,
                  const oracle::CampaignOptions& campaign, const oracle::SubjectMaker& maker,
                  const std::string& subject, const std::string& report, CampaignSummary& summary) {
   oracle::evidence::Causes causes;
-  const bool can_ask =
-      !subject.starts_with("capture:") && campaign.shards == 1 && !campaign.fail_fast;
-  if (can_ask && options.causes > 0 && !summary.findings.empty()) {
-    causes =
-        find_causes(summary, corpus, campaign, maker, static_cast<std::size_t>(options.causes));
+  if (options.causes > 0 && !summary.findings.empty()) {
+    summary.no_cause_because = why_no_cause(campaign, subject);
+    if (summary.no_cause_because.empty()) {
+      causes =
+          find_causes(summary, corpus, campaign, maker, static_cast<std::size_t>(options.causes));
+    }
   }
   summary.causes_asked = causes.asked;
   for (const auto& [key, cause] : causes.of) summary.findings.set_cause(key, cause);
@@ -353,25 +360,31 @@ void check_vectors(const CertifyOptions& options) {
   }
 }
 
-// Throws UsageError with the first name that is not among those known.
-void need_known(const std::vector<std::string>& names, const std::set<std::string>& known,
-                std::string_view what, std::string_view command) {
-  for (const std::string& name : names) {
-    if (known.contains(name)) continue;
-    throw UsageError(fmt::format(
-        "The corpus has no {} {}. {}`gonogo corpus {}` names them.", what, name,
-        reference::did_you_mean(reference::nearest_word(name, {known.begin(), known.end()})),
-        command));
-  }
-}
-
 // A cycle that the corpus has not selects nothing, and says so before anything runs.
 void check_cycles(const CertifyOptions& options, const oracle::Corpus& corpus) {
   if (options.cycles.empty()) return;
   std::set<std::string> known;
   oracle::CaseReader reader(corpus, oracle::Detail::to_run);
-  while (const auto test = reader.next()) known.insert(test->cycle);
-  need_known(options.cycles, known, "cycle", "cycles");
+  while (const auto test = reader.next()) {
+    if (options.dialects.empty() || std::ranges::count(options.dialects, test->dialect) > 0)
+      known.insert(test->cycle);
+  }
+  for (const std::string& name : options.cycles) {
+    if (known.contains(name)) continue;
+    const std::string near = reference::nearest_word(name, {known.begin(), known.end()});
+    throw UsageError(fmt::format(
+        "The corpus has no cycle {}{}. {}It has {}.", name,
+        options.dialects.empty() ? "" : fmt::format(" of {}", fmt::join(options.dialects, ", ")),
+        reference::did_you_mean(near), fmt::join(known, ", ")));
+  }
+}
+
+// "gsk.g94.000001" of "gsk.g94.1": the numbers of cases have six digits.
+std::string with_whole_number(const std::string& id) {
+  constexpr std::size_t kDigits = 6;
+  const std::size_t number = id.rfind('.') + 1;
+  const std::size_t digits = id.size() - number;
+  return digits < kDigits ? std::string(id).insert(number, kDigits - digits, '0') : id;
 }
 
 // The same of cases, which are looked up only where fewer ran than were named.
@@ -379,7 +392,14 @@ void check_cases(const std::vector<std::string>& cases, const oracle::Corpus& co
   std::set<std::string> known;
   oracle::CaseReader reader(corpus, oracle::Detail::to_run);
   while (const auto test = reader.next()) known.insert(test->id);
-  need_known(cases, known, "case", "list");
+  for (const std::string& id : cases) {
+    if (known.contains(id)) continue;
+    std::string near = with_whole_number(id);
+    if (!known.contains(near)) near = reference::nearest_word(id, {known.begin(), known.end()});
+    throw UsageError(
+        fmt::format("The corpus has no case {}. {}`gonogo corpus list` names them.", id,
+                    reference::did_you_mean(near)));
+  }
 }
 
 struct Ended {
@@ -426,7 +446,6 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
   if (!options.certificate.empty() && options.traces.empty()) options.traces = report + "/traces";
   oracle::CampaignOptions campaign = campaign_options(options);
   const oracle::Corpus corpus(corpus_folder(options.corpus));
-  check_cycles(options, corpus);
   campaign.limits = sandboxed(std::move(campaign.limits), options.limits.sandbox, subject,
                               {corpus.folder(), report, options.traces, options.certificate});
   oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
@@ -434,6 +453,7 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
   const oracle::SubjectInfo info = first->info();
   const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
   take_declared_dialects(options, campaign, info);
+  check_cycles(options, corpus);
   std::optional<KnownFailuresFile> known;
   if (!options.write_known_failures.empty()) {
     known.emplace(options.write_known_failures, options.known_failures);

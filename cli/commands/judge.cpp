@@ -253,7 +253,9 @@ int judge(const JudgeOptions& options) {
          drawn_records(trace));
   }
   Output output;
-  output.text() = told(options, profile, text, session.verdict) + not_compared_text(features);
+  output.text() = told(options, profile, text, session.verdict);
+  if (session.verdict.kind != oracle::VerdictKind::protocol)
+    output.text() += not_compared_text(features);
   if (options.time) output.text() += times_text(profile, program, trace);
   if (options.rounding) {
     const auto& compared = session.verdict.coordinates;

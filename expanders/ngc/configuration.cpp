@@ -15,7 +15,7 @@ struct Reading {
 };
 
 constexpr Reading kReadings[] = {
-    {"ngc.whole", &Configuration::whole, {"exact", "nist", "linuxcnc"}},
+    {"ngc.whole", &Configuration::whole, {"exact", "nist", "linuxcnc", "grbl"}},
     {"ngc.arc-tolerance", &Configuration::arc_tolerance, {"nist", "linuxcnc", "page", "grbl"}},
     {"ngc.full-circle-words", &Configuration::circle_needs_word, {"free", "needed"}},
     {"ngc.g80-beside", &Configuration::forgets_g80, {"alarm", "ignored"}},

@@ -14,7 +14,7 @@ namespace gonogo::expanders::ngc {
 using Option = std::uint8_t;
 
 enum : Option { kByNist, kByLinuxcnc, kByPage, kByGrbl };          // ngc.arc-tolerance
-enum : Option { kExact, kNist, kLinuxcnc };                        // ngc.whole
+enum : Option { kExact, kNist, kLinuxcnc, kGrbl };                 // ngc.whole
 enum : Option { kFromTool, kFromInitial, kAbsolute };              // ngc.cycle.g91-r
 enum : Option { kTenThou, kOneMillimetre, kTenth, kTwentieth };    // ngc.peck.clearance
 enum : Option { kEndOnR, kEndOnClear, kEndOnBoth };                // ngc.g73.end

@@ -25,6 +25,8 @@ class WholeNumbers {
 
  private:
   std::optional<Fixed> steps(const Decimal& number, Fixed step, Fixed limit) const;
+  // The number in hundredths, as grbl counts them: whole ones cut, the rest rounded.
+  static std::optional<Fixed> hundredths(const Decimal& number);
 
   Option reading_;
   const Faults& faults_;

@@ -95,7 +95,8 @@ void Alignment::refute(Refutation refutation) {
     return leave_undecided(refutation.from.step, *std::move(refutation.verdict));
   }
   const bool is_farther = !farthest_ || refutation.from.step > farthest_->from.step;
-  if (is_farther) farthest_ = std::move(refutation);
+  const bool is_own = farthest_ && farthest_->may_be_passed && refutation.is_of_other_block();
+  if (is_farther && !is_own) farthest_ = std::move(refutation);
 }
 
 void Alignment::refute(Hypothesis from, const Motion& motion, Verdict verdict) {

@@ -71,6 +71,8 @@ struct Refutation {
   CurveAnswer answer;
   std::optional<Verdict> verdict;
   OtherOrder other_order = {};
+  bool may_be_passed = false;  // the step is negligible: what departs may be of one behind it
+  bool is_of_other_block() const { return !verdict && answer.departure == Departure::block; }
 };
 
 // What does not count against the budget of records.

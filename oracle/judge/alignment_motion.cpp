@@ -55,6 +55,12 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   const bool is_earlier =
       tolerances_.compare_blocks && steps_.is_in_order() && motion.record.block < want.record.block;
   if (!is_earlier && can_pass(as_it_was, want)) {
+    const bool is_own = tolerances_.compare_blocks && motion.record.block == want.record.block;
+    if (is_own && !is_nil && departs && answer.departure != Departure::undecided) {
+      Refutation own{std::move(from), motion, std::move(answer), std::nullopt};
+      own.may_be_passed = true;
+      refute(std::move(own));
+    }
     from = as_it_was;
     leave_motion(from);
     return true;

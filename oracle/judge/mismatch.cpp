@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "oracle/judge/advice.hpp"
 #include "oracle/judge/unit_error.hpp"
 #include "oracle/motion/labels.hpp"
@@ -77,18 +79,13 @@ std::string place_text(const Position& at) {
   return point_text(at, axes);
 }
 
-// How far a motion is off. Where only rotary axes are off, that is in degrees.
+// How far a motion is off: linear axes in mm, rotary ones in degrees.
 void tell_distance(Verdict& verdict, const Number& distance, const Position& got,
                    const Position& want, const Number& tolerance) {
-  std::optional<Axis> rotary;
-  bool linear = false;
-  for (Axis axis : kAllAxes) {
-    if (agree(got[axis], want[axis], tolerance)) continue;
-    linear = linear || reference::is_linear(axis);
-    if (!reference::is_linear(axis)) rotary = axis;
+  set_deviation(verdict, distance);
+  for (Axis axis : {Axis::a, Axis::c}) {
+    if (!agree(got[axis], want[axis], tolerance)) tell_degrees(verdict, axis, got, want);
   }
-  if (linear || !rotary) return set_deviation(verdict, distance);
-  tell_degrees(verdict, *rotary, got, want);
 }
 
 std::string_view short_sentence(RecordKind kind) {
@@ -192,7 +189,11 @@ Verdict motion_too_many(const Motion& motion, const ReferenceSteps::Step& step,
             : dwells ? "The subject moves where a dwell is due."
                      : "All motions of the program have come, and the subject makes another one.");
   verdict.clause = clause_of(step.what);
-  if (dwells) verdict.rule = RelationRule::event;
+  if (dwells) {
+    verdict.rule = RelationRule::event;
+    // A motion of a later block comes for want of the dwell.
+    verdict.block = std::min(verdict.block, block_of(step.what));
+  }
   if (!alarms && !dwells) verdict.kind = VerdictKind::fail_overrun;
   return verdict;
 }
@@ -291,8 +292,11 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
   verdict.got = record_text(dwell);
   verdict.want = step_text(step);
   verdict.clause = clause_of(step);
-  verdict.message = "The subject dwells where no dwell is due.";
-  if (want != nullptr) {
+  if (verdict.kind == VerdictKind::fail_order) {
+    verdict.message = "A later dwell comes here: what is due before it is missing, or comes later.";
+  } else if (want == nullptr) {
+    verdict.message = "The subject dwells where no dwell is due.";
+  } else {
     verdict.message = reference::with_values("The dwell differs. It is {} s in place of {}.",
                                              {dwell.seconds, want->seconds});
     verdict.message += unit_error(Quantity::dwell, want->seconds, dwell.seconds,

@@ -11,11 +11,12 @@
 namespace gonogo::oracle {
 
 using reference::kAllAxes;
+using reference::kLinearAxes;
 using reference::PlaneAxes;
 
 Number distance_from_box(const Position& from, const Position& to, const Position& point) {
   Number distance = 0;
-  for (Axis axis : kAllAxes) {
+  for (Axis axis : kLinearAxes) {
     distance = max(distance, min(from[axis], to[axis]) - point[axis]);
     distance = max(distance, point[axis] - max(from[axis], to[axis]));
   }
@@ -42,7 +43,7 @@ Number farthest(const std::vector<AxisOffset>& offsets, const Number& t) {
 // equal.
 Number distance_from_line(const Position& from, const Position& to, const Position& point) {
   std::vector<AxisOffset> offsets;
-  for (Axis axis : kAllAxes) {
+  for (Axis axis : kLinearAxes) {
     AxisOffset offset{point[axis] - from[axis], to[axis] - from[axis]};
     if (offset.at.sign() != 0 || offset.along.sign() != 0) offsets.push_back(std::move(offset));
   }
@@ -86,7 +87,7 @@ Number length(const PlaneVector& v) {
 
 }  // namespace
 
-// An arc is measured along the radius, and along the axes outside its plane, at the part of its
+// An arc is measured along the radius, and along the axis outside its plane, at the part of its
 // sweep where the point is seen from its centre.
 Number RoundCurve::distance(const Position& point, double turns) const {
   if (arc_ == nullptr) return distance_in_space(point);
@@ -104,11 +105,8 @@ Number RoundCurve::distance(const Position& point, double turns) const {
            turns_between(a, v, sense, turns) / turns_between(a, b, sense, whole_) * (last - first);
   };
   Number distance = abs(length(v) - (is_spiral() ? at_part(length(a), length(b)) : length(a)));
-  for (Axis axis : kAllAxes) {
-    if (axis == axes.p || axis == axes.q) continue;
-    distance = max(distance, abs(point[axis] - at_part(motion_.from[axis], motion_.to()[axis])));
-  }
-  return distance;
+  const Number depth = at_part(motion_.from[axes.d], motion_.to()[axes.d]);
+  return max(distance, abs(point[axes.d] - depth));
 }
 
 // The value at the middle of the box, and by how much it differs elsewhere in it at most.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far a place is from where a motion may lead, for the evidence of a departure. Along the axis
-// where it is farthest, as the tolerance is meant; from a circle, along its radius.
+// How far a place is from where a motion may lead, for the evidence of a departure, mm. Along the
+// linear axis where it is farthest, as the tolerance is meant; from a circle, along its radius.
 #pragma once
 
 #include "oracle/motion/motion.hpp"

@@ -158,7 +158,7 @@ bool differ(const Number& a, const Number& b) {
 // changed places differs by the same on both axes, and no precision distinguishes these.
 Number largest_difference(const Position& a, const Position& b) {
   Number largest = 0;
-  for (Axis axis : kAllAxes) {
+  for (Axis axis : reference::kLinearAxes) {
     const Number difference = a[axis] - b[axis];
     if (visible_sign(difference - largest) > 0) largest = difference;
     if (visible_sign(-difference - largest) > 0) largest = -difference;

@@ -55,7 +55,7 @@ bool agree(const Position& a, const Position& b, const Number& tolerance);
 bool agree(const Number& a, const Number& b, const Number& tolerance);
 // -1, 0 or 1: the sign as far as can be seen; exact, but 0 where an enclosure leaves it open.
 int visible_sign(const Number& value);
-// The largest difference of an axis.
+// The largest difference of a linear axis, mm.
 Number largest_difference(const Position& a, const Position& b);
 // The axes along which the motion goes, by more than `tolerance`.
 AxisSet moved_axes(const Motion& motion, const Number& tolerance);

@@ -64,9 +64,11 @@ Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_
 
 void add_finding(Verdict& verdict, const region::Finding& finding,
                  std::span<const region::LevelMotion> cuts, std::span<const Record> records) {
-  verdict.record = finding.record;
-  for (std::size_t i = 0; i < cuts.size(); ++i) {
-    if (finding.record == cuts[i].record) verdict.got = record_text(records[i]);
+  const auto guilty = std::ranges::find(cuts, finding.record, &region::LevelMotion::record);
+  const auto shown = guilty != cuts.end() || cuts.empty() ? guilty : std::prev(cuts.end());
+  if (shown != cuts.end()) {
+    verdict.record = shown->record;
+    verdict.got = record_text(records[static_cast<std::size_t>(shown - cuts.begin())]);
   }
   set_deviation(verdict, finding.deviation);
 }

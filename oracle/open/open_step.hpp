@@ -97,7 +97,8 @@ std::string feed_in_place_of(const reference::Record& got, const Number& feed,
 // One of what was put out so far: it shows at a place.
 Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
                       std::string want, const Position& at, std::string message);
-// Which cut of a level breaks a rule, and by how much; `records` are those of the cuts.
+// Which cut of a level breaks a rule, or which is its last, and by how much; `records` are those of
+// the cuts.
 void add_finding(Verdict& verdict, const region::Finding& finding,
                  std::span<const region::LevelMotion> cuts, std::span<const Record> records);
 

@@ -99,20 +99,25 @@ bool PocketLevelStep::may_be_left_by(const Motion& small) const {
 OpenStepAnswer PocketLevelStep::take(const Motion& motion) {
   if (collects(motion)) return collect(motion);
   if (std::optional<Verdict> fault = end(motion.from)) {
-    return OpenStepAnswer::decide(*std::move(fault));
+    const Number limit = level_.depth - tolerances_.tolerance;
+    const bool is_deeper = visible_sign(motion.to()[axes_.d] - limit) < 0;
+    const bool is_uncut = motions_.empty() && decision(fault->kind) == Decision::no_go;
+    return is_uncut && is_deeper ? leaves_depth(motion) : OpenStepAnswer::decide(*std::move(fault));
   }
   return OpenStepAnswer::end(motion.from);
+}
+
+OpenStepAnswer PocketLevelStep::leaves_depth(const Motion& motion) const {
+  OpenStepAnswer answer =
+      departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.");
+  set_deviation(answer.verdict, exact::abs(motion.to()[axes_.d] - level_.depth));
+  return answer;
 }
 
 OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   const Record& record = motion.record;
   if (motions_.empty()) plunge_ = motion.from;
-  if (!agree(motion.to()[axes_.d], level_.depth, tolerances_.tolerance)) {
-    OpenStepAnswer answer =
-        departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.");
-    set_deviation(answer.verdict, exact::abs(motion.to()[axes_.d] - level_.depth));
-    return answer;
-  }
+  if (!agree(motion.to()[axes_.d], level_.depth, tolerances_.tolerance)) return leaves_depth(motion);
   if (turns_rotary_axis(motion, tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, motion, "A rotary axis moves in a level.");
   }

@@ -34,6 +34,7 @@ class PocketLevelStep : public OpenStep {
   bool collects(const Motion& motion) const;
   OpenStepAnswer collect(const Motion& motion);
   OpenStepAnswer departs(VerdictKind kind, const Motion& motion, std::string message) const;
+  OpenStepAnswer leaves_depth(const Motion& motion) const;
   region::CircularLevel circle(const Position& plunge) const;
   Verdict fault(const region::Finding& finding, const Position& here) const;
 

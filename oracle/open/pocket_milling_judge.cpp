@@ -384,7 +384,7 @@ bool PocketMillingJudge::traverses_on_floor(const Motion& motion) const {
   const bool leaves = to > from + tolerances_.tolerance;
   const bool in_air = to >= item_.reference_plane - tolerances_.tolerance;
   if (leaves || in_air) return false;
-  if (item_.finishing) return to <= cleared_.rough + tolerances_.tolerance;
+  if (item_.finishing) return to <= item_.rough_floor + tolerances_.tolerance;
   return to < from - tolerances_.tolerance && is_floor(to);
 }
 

@@ -41,6 +41,9 @@ CycleTable cycle_table(const RunScope& scope) {
       table.rows.push_back(std::move(row));
     }
   }
+  std::size_t features = 0;
+  for (const auto& dialect : scope.features()) features += dialect.second.size();
+  table.counts_otherwise = table.rows.size() > 1 || features > 1;
   std::ranges::sort(table.rows, [](const CycleTable::Row& a, const CycleTable::Row& b) {
     if (a.no_go() != b.no_go()) return a.no_go() > b.no_go();
     if (a.dialect != b.dialect) return a.dialect < b.dialect;
@@ -74,7 +77,7 @@ std::string CycleTable::text(std::size_t most) const {
   }
   if (rows.size() > most) text += fmt::format("  and {} more\n", rows.size() - most);
   if (!others.empty()) text += fmt::format("  nothing judged: {}\n", others);
-  return rows.size() > 1 ? text + fmt::format("  {}\n", kCounting) : text;
+  return counts_otherwise ? text + fmt::format("  {}\n", kCounting) : text;
 }
 
 }  // namespace gonogo::oracle

@@ -30,6 +30,8 @@ struct CycleTable {
   std::string others;
   // Whether a column says anything.
   std::array<bool, kColumns.size()> used{};
+  // Whether a case may count for several features in the head line.
+  bool counts_otherwise = false;
 
   // What a row is of; with its dialect, where there are several.
   std::string name(const Row& row) const;

@@ -134,7 +134,7 @@ class Fields {
         fail_record("A record \"{}\" needs the key \"{}\".", kind, kKeyNames[i]);
       }
       if ((present_ & ~allowed & mask) != 0) {
-        fail_record("A record \"{}\" has no key \"{}\".", kind, kKeyNames[i]);
+        fail_record("A record \"{}\" takes no key \"{}\".", kind, kKeyNames[i]);
       }
     }
   }

@@ -119,7 +119,7 @@ Json scope_json(const RunScope& scope) {
                  {"used", table.used},
                  {"rows", Json::array()},
                  {"others", table.others},
-                 {"counting", CycleTable::kCounting}};
+                 {"counting", table.counts_otherwise ? CycleTable::kCounting : ""}};
   for (const CycleTable::Row& row : table.rows) {
     cycles["rows"].push_back(
         {{"cycle", row.cycle}, {"name", table.name(row)}, {"cases", row.cases}});

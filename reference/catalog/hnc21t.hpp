@@ -125,11 +125,13 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "F of G74, G75, G80 and G81 is the ordinary feed. A lead never becomes a feed, nor a feed a "
      "lead; G32 needs a lead of its own.",
      "reference/hnc21t/interpreter.cpp"},
-    {"HNC-MOD-05", open, kSimple,
-     "The same code again is no change of command. A code without an axis word stores its words "
-     "and moves nothing. Y and V are not words of a lathe. G18 is the only plane; G40, "
-     "G96 and G97 have no effect. No text says so; our judgement.",
-     "reference/hnc21t/interpreter.cpp"},
+    refused_by_some(
+        {"HNC-MOD-05", open, kSimple,
+         "The same code again is no change of command. A code without an axis word stores its words "
+         "and moves nothing. Y and V are not words of a lathe. G18 is the only plane; G40, "
+         "G96 and G97 have no effect. No text says so; our judgement.",
+         "reference/hnc21t/interpreter.cpp"},
+        "missing-word"),
     {"HNC-COM-01", derived, kBasic,
      "A missing required word, a code that the maker lacks, unreadable text and a cut without a "
      "feed are alarms. A blank may stand between a letter and its number. Basic codes: G00 to G04, "

@@ -48,7 +48,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/arc.cpp"},
     {"NGC-ARC-03", must, kArcs,
      "The radii at start and end may differ by the tolerance; within it the centre stays where it "
-     "is programmed, and the radius is linear in the angle.",
+     "is programmed, and the radius is linear in the angle. A radius of zero, for LinuxCNC one below "
+     "0.00127 mm, is an alarm of its own.",
      "reference/rs274/arc.cpp"},
     {"NGC-ARC-04", must, kArcs,
      "Radius form: R above zero is an arc of at most half a turn, below zero of more. The end "

@@ -24,11 +24,12 @@ inline constexpr auto kNgcReadings = of_dialect(
          .text =
              "an arc by its centre without an axis word of the plane: a full circle, or an alarm"},
         {.name = "ngc.whole",
-         .alternatives = {"exact", "nist", "linuxcnc"},
+         .alternatives = {"exact", "nist", "linuxcnc", "grbl"},
          .clause = "NGC-COM-01"_clause,
          .text = "how far an M function, ten times a G code, or P of an arc may be from a whole "
-                 "number and count as it: not at all; by 0.0001, as NIST's report says; or, as "
-                 "LinuxCNC has it, by 0.0001 for M and 0.001 for the others"},
+                 "number and count as it: not at all; by 0.0001, as NIST's report says; as "
+                 "LinuxCNC has it, by 0.0001 for M and 0.001 for the others; or, as grbl has it, "
+                 "M and G are cut at the point and what is behind it is rounded to hundredths"},
         {.name = "ngc.g80-beside",
          .alternatives = {"alarm", "ignored"},
          .clause = "NGC-COM-03"_clause,

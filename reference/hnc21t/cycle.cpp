@@ -34,9 +34,15 @@ void take_command_words(BlockContext& block) {
 
 namespace {
 
-// Other makers write some of these cycles in two lines, the first of them without an end.
-void warn_of_no_travel(const BlockContext& block) {
+// HNC-MOD-05. Other makers write some of these cycles in two lines, the first of them without an
+// end.
+void run_without_travel(const BlockContext& block) {
   if (block.codes.motion < 0 || block.words.block().words.size() < 2) return;
+  const auto is_of_cycle = [](const grammar::Word& word) {
+    return std::string_view("GFMSTN").find(word.address) == std::string_view::npos;
+  };
+  if (std::ranges::any_of(block.words.block().words, is_of_cycle))
+    block.out.accept("HNC-MOD-05"_clause);
   block.out.warnings.push_back(
       {fmt::format("G{} without X and Z cuts nothing: its words hold on, and the cycle of this "
                    "control stands in one line with its end point.",
@@ -48,7 +54,7 @@ void warn_of_no_travel(const BlockContext& block) {
 
 bool does_nothing(const BlockContext& block, std::span<const AxisAddresses> needed) {
   if (!block.words.has_axis_word()) {
-    warn_of_no_travel(block);
+    run_without_travel(block);
     return true;
   }
   const auto lacks = [&](const AxisAddresses& axis) { return !block.words.has(axis); };

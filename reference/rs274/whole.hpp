@@ -24,8 +24,11 @@ class NearWhole {
   bool counts_as_whole(Whole what, const ReadingsInUse& readings) const;
 
  private:
+  bool counts_for_grbl(Whole what) const;
+
   Number nearest_;
-  Number off_;  // how far away it is, from 0 to 1/2
+  Number off_;           // how far away it is, from 0 to 1/2
+  bool is_beyond_ = false;  // farther from zero than the nearest, or that is zero
 };
 
 }  // namespace gonogo::reference::rs274

@@ -59,6 +59,21 @@ TEST(NgcWhole, LinuxcncAllowsAThousandthButForFunctions) {
   EXPECT_EQ(whole_alarm("M3.0002", kByLinuxcnc), "not-an-integer");
 }
 
+// grbl's parser: trunc(value), and round(100 * what is behind the point).
+TEST(NgcWhole, GrblCutsAtThePointAndRoundsToHundredths) {
+  constexpr const char* kByGrbl = R"({"readings":{"ngc.whole":"grbl"}})";
+  for (const char* g : {"1.0049", "1.00499999999", "90.1049", "90.095", "-0.0049"}) {
+    EXPECT_EQ(whole_alarm(std::string("G") + g, kByGrbl), "") << g;
+  }
+  for (const char* g : {"1.005", "0.99999", "0.99999999999", "90.105", "90.0949", "90.09499999999"}) {
+    EXPECT_EQ(whole_alarm(std::string("G") + g, kByGrbl), "undefined-code") << g;
+  }
+  EXPECT_EQ(whole_alarm("M3.0049", kByGrbl), "");
+  EXPECT_EQ(whole_alarm("M3.005", kByGrbl), "not-an-integer");
+  EXPECT_EQ(whole_alarm("M2.99999999999", kByGrbl), "not-an-integer");
+  EXPECT_EQ(turns_alarm("3.0001", kByGrbl), "not-an-integer");
+}
+
 TEST(NgcWhole, WhatIsNearlyWholeIsTakenAsTheWhole) {
   EXPECT_EQ(run_ngc("G2 X2 I1 P2.9999 F9\n", kByNist).motions(),
             "arc17 c=1,0 rot=-3 x=2 y=0 f=9\n");

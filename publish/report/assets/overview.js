@@ -69,7 +69,7 @@ function showCycles() {
     failing.length > 0 && el('div', { class: 'fails' }, tableOf(failing)),
     further.length > 0 && el('details', { open: rows.length <= 20 },
       el('summary', {}, counted(further.length, 'cycle', 'cycles'), failing.length > 0 && ' without a NO-GO'), tableOf(further)),
-    rows.length > 1 && el('p', { class: 'note' }, counting),
+    counting && el('p', { class: 'note' }, counting),
     others && el('p', { class: 'note' }, `Nothing judged: ${others}.`)));
 }
 

@@ -223,6 +223,17 @@ TEST(DepartureMessage, ARotaryAxisDepartsInDegrees) {
       << verdict.message;
 }
 
+// X is 1 mm off, A 80 degrees: no distance has both.
+TEST(DepartureMessage, LinearAndRotaryAxesDepartEachInItsUnit) {
+  TraceText trace(2, 100);
+  trace.line(R"({"k":"feed","b":2,"to":{"x":"11","a":"110"},"f":"100"})");
+  const Verdict verdict = judge_trace("G0 X0\nG1 X10 A30 F100\nM2\n", trace.text(), of("rs274"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+  EXPECT_EQ(verdict.deviation_mm, "1");
+  EXPECT_NE(verdict.message.find("The axis A is at 110 degrees in place of 30."), std::string::npos)
+      << verdict.message;
+}
+
 TEST(DepartureMessage, TheEndHasARotaryAxisInDegrees) {
   TraceText trace(1, 100);
   trace.line(R"({"k":"rapid","b":1,"to":{"x":"10","a":"30"}})");
@@ -343,6 +354,48 @@ TEST(DepartureMessage, WhatIsNotCoveredHasItsBlock) {
   EXPECT_EQ(verdict.kind, VerdictKind::oracle_gap) << verdict.message;
   EXPECT_EQ(verdict.block, 3U);
   EXPECT_NE(verdict.message.find("G41"), std::string::npos) << verdict.message;
+}
+
+constexpr std::string_view kDwelling = "G1 X10 F100\nG4 P2\nX20\nM2\n";
+
+TEST(DepartureMessage, ADwellBeforeAMotionThatIsMissingIsALaterOne) {
+  TraceText trace(1, 100);
+  trace.line(R"({"k":"dwell","b":2,"s":"2"})").block(3, 100).feed({{'x', 20}});
+  const Verdict verdict = judge_trace(kDwelling, trace.text(), of("rs274"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_order) << verdict.message;
+  EXPECT_EQ(verdict.message,
+            "A later dwell comes here: what is due before it is missing, or comes later.");
+}
+
+TEST(DepartureMessage, AMissingDwellIsToldInItsOwnLine) {
+  TraceText trace(1, 100);
+  trace.feed({{'x', 10}}).block(3, 100).feed({{'x', 20}});
+  const Verdict verdict = judge_trace(kDwelling, trace.text(), of("rs274"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+  EXPECT_EQ(verdict.block, 2U);
+}
+
+// The arc of line 3 ends a thousandth from its start, no farther than the tolerance: the control
+// may have left it out, but what it makes in its line is a wrong arc.
+TEST(DepartureMessage, AWrongArcIsOfItsOwnLineThoughTheRightOneIsNegligible) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 10}}).block(3, 100);
+  trace.arc("G17", {{'x', 10}, {'y', 5}}, 1, {{'x', 15}, {'y', 5}});
+  const Verdict verdict = judge_trace("G90 F100\nG1 X10\nG3 X10.001 Y0 R5\nG1 X30\nM2\n",
+                                      trace.text(), of("rs274", "0.001"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+  EXPECT_NE(verdict.message, "The motion belongs to another block.");
+  EXPECT_EQ(verdict.block, 3U);
+}
+
+// HNC-MOD-05, in the form of another maker. Line 4 alarms, too.
+TEST(DepartureMessage, AnAlarmOfACycleWithoutTravelIsAnAdviceThoughALaterBlockAlarms) {
+  TraceText trace(1);
+  trace.line(R"({"k":"m","b":1,"m":3})").block(2, 0).rapid({{'x', 31}, {'z', -20}});
+  trace.line(R"({"k":"alarm","b":3,"class":"missing-word"})");
+  const std::string program =
+      "M03 S300\nG00 X62 Z-20\nG75 R0.5\nG75 X40 Z-30 P2000 Q2500 F0.1\nM30\n";
+  EXPECT_EQ(judge_trace(program, trace.text(), of("hnc21t")).kind, VerdictKind::advice);
 }
 
 }  // namespace

@@ -15,6 +15,10 @@ Profile by_linuxcnc() {
   return ngc({{"ngc.whole", "linuxcnc"}});
 }
 
+Profile by_grbl() {
+  return ngc({{"ngc.whole", "grbl"}});
+}
+
 // How an arc with this P ends: an alarm, or its turns.
 std::string turns(const std::string& p, const Profile& profile = ngc()) {
   const std::string last = path("F9\nG2 X2 I1 P" + p, profile).back();
@@ -80,6 +84,22 @@ TEST(NgcWhole, OfLinuxcncItIsAThousandthButForFunctions) {
   EXPECT_EQ(function("8.0001001", by_linuxcnc()), "alarm b1 not-an-integer");
 }
 
+// As grbl's parser has it: trunc(value), and round(100 * what is behind the point).
+TEST(NgcWhole, GrblCutsAtThePointAndRoundsToHundredths) {
+  EXPECT_EQ(code("1.004999999999999999", by_grbl()), "feed x1 f9");
+  EXPECT_EQ(code("1.005", by_grbl()), kUndefined);
+  EXPECT_EQ(code("0.99999", by_grbl()), kUndefined);
+  EXPECT_EQ(code("-0.0049", by_grbl()), "rapid x1");
+  EXPECT_EQ(code("41.095", by_grbl()), "not-covered b2 G41.1");
+  EXPECT_EQ(code("41.1049", by_grbl()), "not-covered b2 G41.1");
+  EXPECT_EQ(code("41.0949", by_grbl()), kUndefined);
+  EXPECT_EQ(code("41.105", by_grbl()), kUndefined);
+  EXPECT_EQ(function("8.0049", by_grbl()), "m8");
+  EXPECT_EQ(function("8.005", by_grbl()), "alarm b1 not-an-integer");
+  EXPECT_EQ(function("7.99999", by_grbl()), "alarm b1 not-an-integer");
+  EXPECT_EQ(turns("3.0001", by_grbl()), kNotWhole);
+}
+
 TEST(NgcWhole, WhatCountsAsWholeIsThatNumberEverywhere) {
   EXPECT_EQ(turns("0.0001", nist()), "alarm b2 value-sign");
   EXPECT_EQ(turns("-0.0001", nist()), "alarm b2 value-sign");
@@ -105,10 +125,12 @@ TEST(NgcWhole, TheReadingIsAskedForOnlyWhereItMatters) {
   EXPECT_EQ(touched("F9\nG2 X2 I1 P3\nG3 X4 I1 P2.5"), Lines{});
   EXPECT_EQ(touched("F9\nG2 X2 I1 P3.0011"), Lines{});
   EXPECT_EQ(touched("F9\nG2 X2 I1 P3.001"), asked);
-  EXPECT_EQ(touched("M3.0002"), Lines{});
-  EXPECT_EQ(touched("M3.0001"), asked);
-  EXPECT_EQ(touched("G1.0002"), Lines{});
-  EXPECT_EQ(touched("G1.0001"), asked);
+  EXPECT_EQ(touched("M3.005"), Lines{});
+  EXPECT_EQ(touched("M3.0049"), asked);
+  EXPECT_EQ(touched("M2.9998"), Lines{});
+  EXPECT_EQ(touched("M2.9999"), asked);
+  EXPECT_EQ(touched("G1.005"), Lines{});
+  EXPECT_EQ(touched("G1.0049"), asked);
   EXPECT_EQ(touched("G6.0001"), Lines{});
   EXPECT_EQ(touched("G6"), Lines{});
 }
