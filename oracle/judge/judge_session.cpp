@@ -82,7 +82,7 @@ JudgeSession::~JudgeSession() = default;
 // J-READ-01.
 JudgeSession::Fork& JudgeSession::add_fork(AssignmentSet set) {
   Fork& fork = *alive_.emplace_back(
-      std::make_unique<Fork>(profile_, program_, tolerances_, std::move(set), forking_));
+      std::make_shared<Fork>(profile_, program_, tolerances_, std::move(set), forking_));
   if (taken_) {
     taken_->replay(program_, [&](const Record& record) { return fork.judge.record(record); });
   }
@@ -107,7 +107,7 @@ void JudgeSession::settle_forks() {
     }
     part(*alive_[i]);
     if (alive_[i]->judge.is_decided()) {
-      bury(*alive_[i]);
+      bury(alive_[i]);
       alive_.erase(alive_.begin() + static_cast<std::ptrdiff_t>(i));
     } else {
       ++i;
@@ -115,12 +115,14 @@ void JudgeSession::settle_forks() {
   }
 }
 
-void JudgeSession::bury(Fork& fork) {
-  SampledVerdict said{fork.judge.finish(RunEnd{}), 0};
-  said.progress = fork.judge.progress();
-  most_others_ = std::max(most_others_, fork.judge.watched().others());
-  if (consider(std::move(said))) surplus_ = fork.judge.surplus();
-  try_lengths(fork);
+void JudgeSession::bury(std::shared_ptr<Fork> fork) {
+  ProgramJudge& judge = fork->judge;
+  most_others_ = std::max(most_others_, judge.watched().others());
+  const bool keeps = departures_.size() < kMaximumAssignments;
+  const bool is_best = consider({keeps ? judge.decided() : judge.finish(RunEnd{}), judge.progress()},
+                                keeps ? fork : nullptr);
+  if (is_best) surplus_ = judge.surplus();
+  try_lengths(*fork);
 }
 
 // J-READ-02: an open length is what the subject shows of it where it departs.
@@ -147,20 +149,28 @@ void JudgeSession::try_length(const Fork& fork, ReadingKey key, const Number& le
 }
 
 // Keeps what came farther; else what took more records; else what came first.
-bool JudgeSession::consider(SampledVerdict said) {
-  if (decision(said.verdict.kind) == Decision::no_go) departures_.push_back(said);
+bool JudgeSession::consider(SampledVerdict said, std::shared_ptr<Fork> unexplained) {
+  if (decision(said.verdict.kind) == Decision::no_go) departures_.push_back({said, unexplained});
   const bool is_later = records_ > best_records_;
   if (best_ && !outranks(said, *best_) && (!is_later || outranks(*best_, said))) return false;
   best_ = std::move(said);
+  best_unexplained_ = std::move(unexplained);
   best_records_ = records_;
+  surplus_block_.reset();
   return true;
 }
 
 void JudgeSession::look_for_surplus(const Record& record) {
-  if (surplus_ && surplus_->is_shown_by(record, tolerances_)) {
-    best_->verdict.block = surplus_->block;
-  }
+  if (surplus_ && surplus_->is_shown_by(record, tolerances_)) surplus_block_ = surplus_->block;
   surplus_.reset();
+}
+
+void JudgeSession::explain_best() {
+  if (best_unexplained_) best_->verdict = best_unexplained_->judge.finish(RunEnd{});
+  best_unexplained_.reset();
+  if (surplus_block_ && best_->verdict.kind == VerdictKind::fail_geometry) {
+    best_->verdict.block = *surplus_block_;
+  }
 }
 
 namespace {
@@ -201,8 +211,8 @@ void JudgeSession::log(const Record& record, bool undecided) {
 // The log has grown too long: from now on each assignment that will say something else later has a
 // judge of its own.
 void JudgeSession::stop_forking() {
-  std::vector<std::unique_ptr<Fork>> before = std::exchange(alive_, {});
-  for (std::unique_ptr<Fork>& fork : before) {
+  std::vector<std::shared_ptr<Fork>> before = std::exchange(alive_, {});
+  for (std::shared_ptr<Fork>& fork : before) {
     std::vector<AssignmentSet> different;
     if (!add_different(profile_, program_, fork->set, different) ||
         alive_.size() + different.size() > kMaximumAssignments) {
@@ -345,8 +355,16 @@ SessionVerdict JudgeSession::finish(const RunEnd& end) {
   } else if (!too_many_) {
     finish_forks(end);
   }
-  const SampledVerdict* shown = best_ ? shown_way_to_run_on(*best_, departures_) : nullptr;
-  if (shown != nullptr) best_ = *shown;
+  if (best_) explain_best();
+  if (best_ && runs_on(best_->verdict)) {
+    std::vector<SampledVerdict> departures;
+    for (Departed& each : departures_) {
+      if (each.unexplained) each.said.verdict = each.unexplained->judge.finish(RunEnd{});
+      departures.push_back(std::move(each.said));
+    }
+    const SampledVerdict* shown = shown_way_to_run_on(*best_, departures);
+    if (shown != nullptr) best_ = *shown;
+  }
   if (end.sampled == nullptr && !too_many_) finish_together(end);
   SessionVerdict result;
   result.open.assign(open_.begin(), open_.end());

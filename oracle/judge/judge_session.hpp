@@ -70,11 +70,13 @@ class JudgeSession {
   void part(Fork& fork);
   void settle_forks();
   void stop_forking();
-  void bury(Fork& fork);
+  void bury(std::shared_ptr<Fork> fork);
+  void explain_best();
   void try_lengths(const Fork& fork);
   void try_length(const Fork& fork, reference::ReadingKey key, const Number& length);
-  // Whether it is the best so far.
-  bool consider(SampledVerdict said);
+  // Whether it is the best so far. `unexplained`: whose departure it is, to be explained when it
+  // counts; null: it is explained.
+  bool consider(SampledVerdict said, std::shared_ptr<Fork> unexplained = nullptr);
   // A motion that departs may be one too many of an earlier block, which this record shows.
   void look_for_surplus(const Record& record);
   void finish_forks(const RunEnd& end);
@@ -86,14 +88,20 @@ class JudgeSession {
   ProgramText program_;
   const Tolerances& tolerances_;
   const Forking forking_;
-  std::vector<std::unique_ptr<Fork>> alive_;
+  std::vector<std::shared_ptr<Fork>> alive_;
   // What they have taken, while others may have to take it, too.
   std::optional<RecordLog> taken_;
   std::size_t records_ = 0;  // of the subject, and its end
   std::size_t best_records_ = 0;
   std::optional<SampledVerdict> best_;                // of those that are at their end
+  std::shared_ptr<Fork> best_unexplained_;            // as of `consider`
   std::optional<Surplus> surplus_;                    // of the best, until the next record
-  std::vector<SampledVerdict> departures_;            // of those, the NO-GO
+  std::optional<std::uint64_t> surplus_block_;        // of the best, where that record shows it
+  struct Departed {
+    SampledVerdict said;
+    std::shared_ptr<Fork> unexplained;
+  };
+  std::vector<Departed> departures_;                  // of those at their end, the NO-GO
   std::vector<reference::ReadingChoice> explaining_;  // of those that are GO
   std::set<reference::ReadingKey> open_;              // that made a difference
   std::size_t most_others_ = 0;                       // that one fork looked at to the last

@@ -370,16 +370,20 @@ std::uint64_t departing_block(const Refutation& refutation, const ReferenceSteps
 
 }  // namespace
 
-Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances,
-                std::size_t& departed_at) {
-  departed_at = steps.at(refutation.from.step).item;
-  if (refutation.verdict) return *refutation.verdict;
+std::optional<Verdict> known_verdict(const Refutation& refutation, const Tolerances& tolerances) {
+  if (refutation.verdict) return refutation.verdict;
+  const Motion& want = refutation.from.curve->motion();
+  if (refutation.answer.departure != Departure::feed &&
+      hangs_on_rounding(want, tolerances.tolerance)) {
+    return gap_verdict(GapReason::rounding, kPointsNearlyInLine);
+  }
+  return std::nullopt;
+}
+
+Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances) {
   const Motion& motion = *refutation.motion;
   const Motion& want = refutation.from.curve->motion();
   const CurveAnswer& answer = refutation.answer;
-  if (answer.departure != Departure::feed && hangs_on_rounding(want, tolerances.tolerance)) {
-    return gap_verdict(GapReason::rounding, kPointsNearlyInLine);
-  }
   Verdict verdict;
   verdict.clause = want.record.clause;
   verdict.block = departing_block(refutation, steps);

@@ -9,10 +9,11 @@
 
 namespace gonogo::oracle {
 
-// The verdict on what was refuted. Looks ahead in the reference. `departed_at`: the item of the
-// reference that it departs from.
-Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances,
-                std::size_t& departed_at);
+// The verdict on what was refuted, where it has one, or nothing can be said of its path; else it is
+// NO-GO, and `explain` says of which kind.
+std::optional<Verdict> known_verdict(const Refutation& refutation, const Tolerances& tolerances);
+// The verdict on a motion that departs from a curve. Looks ahead in the reference.
+Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances);
 
 // J-CMP-12. `piece` is the last of `want` that the subject has put out.
 Verdict short_of(const Motion& want, const Motion& piece);

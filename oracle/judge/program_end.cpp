@@ -146,6 +146,7 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
       alignment_.hypotheses().assign(1, passed);  // a session may ask again
       settle(*std::move(best));
     }
+    explain_departure();
   } catch (const exact::Undecided& undecided) {
     decide_undecided(undecided);
   }

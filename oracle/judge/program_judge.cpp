@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/motion/places.hpp"
@@ -50,14 +51,28 @@ void ProgramJudge::name_line(Verdict& verdict, std::size_t number) const {
 
 void ProgramJudge::decide_departure() {
   if (alignment_.gap()) return decide(*alignment_.gap());
-  std::size_t departed_at = 0;
-  Verdict verdict = explain(alignment_.refutation(), reference_, tolerances_, departed_at);
-  departed_at_ = departed_at;
-  name_line(verdict, alignment_.refutation().from.step);
-  decide(std::move(verdict));
+  Refutation& refutation = alignment_.refutation();
+  departed_at_ = reference_.at(refutation.from.step).item;
+  std::optional<Verdict> known = known_verdict(refutation, tolerances_);
+  is_unexplained_ = !known;
+  if (known) {
+    name_line(*known, refutation.from.step);
+  } else {
+    const bool is_feed = refutation.answer.departure == Departure::feed;
+    known.emplace().kind = is_feed ? VerdictKind::fail_feed : VerdictKind::fail_geometry;
+  }
+  decide(*std::move(known));
   if (verdict_->kind != VerdictKind::fail_geometry) return;
-  surplus_ = surplus_of(alignment_.refutation(), reference_, tolerances_);
-  other_order_ = std::move(alignment_.refutation().other_order);
+  surplus_ = surplus_of(refutation, reference_, tolerances_);
+  other_order_ = std::move(refutation.other_order);
+}
+
+// It takes longer than to find the departure, and of most forks nobody asks.
+void ProgramJudge::explain_departure() {
+  if (!std::exchange(is_unexplained_, false)) return;
+  const Refutation& refutation = alignment_.refutation();
+  verdict_ = explain(refutation, reference_, tolerances_);
+  name_line(*verdict_, refutation.from.step);
 }
 
 bool ProgramJudge::record(const Record& record) {

@@ -34,6 +34,8 @@ class ProgramJudge {
   bool line(std::string_view line);
   // The subject's end; the verdict.
   Verdict finish(const RunEnd& end);
+  // Of one that is decided: the verdict, but a departure from a curve is not explained yet.
+  const Verdict& decided() const { return *verdict_; }
 
   // How far the comparison came, in items of the reference.
   std::size_t progress() const { return departed_at_.value_or(reference_.items()); }
@@ -61,6 +63,7 @@ class ProgramJudge {
   void decide_too_many(const Record& record);
   // No hypothesis is left.
   void decide_departure();
+  void explain_departure();
   std::string wanted_at(std::size_t number) const;
   void name_line(Verdict& verdict, std::size_t number) const;
   // J-CMP-12: what departs may be out of order, which what follows shows.
@@ -129,6 +132,7 @@ class ProgramJudge {
   std::optional<InStep> in_step_;
 
   std::optional<Verdict> verdict_;
+  bool is_unexplained_ = false;             // of the verdict only the decision is known
   OtherOrder other_order_;                  // of the verdict, while it is looked for
   std::size_t looked_at_ = 0;               // records since then
   std::optional<std::size_t> departed_at_;  // in items

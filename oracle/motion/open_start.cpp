@@ -2,6 +2,8 @@
 #include "oracle/motion/open_start.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "oracle/region/constants.hpp"
 #include "reference/geometry/intersections.hpp"
@@ -17,14 +19,35 @@ Point_2 start_at(const PlaneVector& v) {
   return {v.p, v.q};
 }
 
-// Leaves the part of the polygon where normal . v <= limit. CGAL's kernel clips no polygon.
-void cut(std::vector<PlaneVector>& polygon, const PlaneVector& normal, const Number& limit) {
-  std::vector<Number> beyond;
-  std::vector<int> sides;
-  for (const PlaneVector& corner : polygon) {
-    beyond.push_back(dot(normal, corner) - limit);
-    sides.push_back(beyond.back().sign());
+// Half a plane: normal . v <= limit.
+struct HalfPlane {
+  HalfPlane(PlaneVector across, Number most)
+      : normal(std::move(across)),
+        limit(std::move(most)),
+        p(estimate(normal.p)),
+        q(estimate(normal.q)),
+        at(estimate(limit)) {}
+  Number beyond(const PlaneVector& v) const { return dot(normal, v) - limit; }
+  // Its sign, by doubles where they are certain of it: each of the three terms is off by less than
+  // 2^-50 of it, and so are the sums.
+  int side(const PlaneVector& v) const {
+    constexpr double kOff = 1.0 / (1LL << 48);
+    const double along_p = p * estimate(v.p);
+    const double along_q = q * estimate(v.q);
+    const double value = along_p + along_q - at;
+    const double off = (std::abs(along_p) + std::abs(along_q) + std::abs(at)) * kOff;
+    if (std::abs(value) > off) return value > 0 ? 1 : -1;
+    return beyond(v).sign();
   }
+  PlaneVector normal;
+  Number limit;
+  double p, q, at;  // of both
+};
+
+// Leaves the part of the polygon that lies in the half plane. CGAL's kernel clips no polygon.
+void cut(std::vector<PlaneVector>& polygon, const HalfPlane& half) {
+  std::vector<int> sides;
+  for (const PlaneVector& corner : polygon) sides.push_back(half.side(corner));
   if (std::ranges::none_of(sides, [](int side) { return side > 0; })) return;
   std::vector<PlaneVector> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -33,7 +56,8 @@ void cut(std::vector<PlaneVector>& polygon, const PlaneVector& normal, const Num
     const PlaneVector& next = polygon[j];
     if (sides[i] <= 0) kept.push_back(here);
     if (sides[i] * sides[j] < 0) {
-      const Number part = beyond[i] / (beyond[i] - beyond[j]);
+      const Number beyond = half.beyond(here);
+      const Number part = beyond / (beyond - half.beyond(next));
       kept.push_back({here.p + part * (next.p - here.p), here.q + part * (next.q - here.q)});
     }
   }
@@ -56,10 +80,10 @@ std::vector<PlaneVector> cut_to_box(std::vector<PlaneVector> polygon, const Plan
                                     const PlaneVector& row_q, const PlaneVector& point,
                                     const Number& tolerance) {
   auto opposite = [](const PlaneVector& v) { return PlaneVector{-v.p, -v.q}; };
-  cut(polygon, row_p, point.p + tolerance);
-  cut(polygon, opposite(row_p), tolerance - point.p);
-  cut(polygon, row_q, point.q + tolerance);
-  cut(polygon, opposite(row_q), tolerance - point.q);
+  cut(polygon, {row_p, point.p + tolerance});
+  cut(polygon, {opposite(row_p), tolerance - point.p});
+  cut(polygon, {row_q, point.q + tolerance});
+  cut(polygon, {opposite(row_q), tolerance - point.q});
   return polygon;
 }
 
