@@ -46,8 +46,7 @@ bool ResultsLock::take() {
     const std::string holder = read_holder(descriptor_);
     ::close(descriptor_);
     throw ResultsRefused(
-        fmt::format("{} is held by {}, which writes results there. Name another folder with "
-                    "--report, or wait for it.",
+        fmt::format("{} is held by {}, which writes there. Name another folder, or wait for it.",
                     path_, holder));
   }
   struct stat opened {};

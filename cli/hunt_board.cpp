@@ -71,6 +71,7 @@ void HuntBoard::close() {
 void HuntBoard::tell(const hunt::Finding& finding, const std::string& folder,
                      const std::string& id) {
   const std::lock_guard lock(mutex_);
+  if (!told_.insert(finding.signature).second) return;
   ++findings_;
   found_ = Clock::now();
   clear();

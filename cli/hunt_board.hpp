@@ -8,6 +8,7 @@
 #include <chrono>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,7 @@ class HuntBoard {
   std::mutex mutex_;
   std::mutex folder_mutex_;
   std::vector<Job> jobs_;
+  std::set<hunt::Signature> told_;  // another job may find the same
   std::size_t rounds_ = 0;
   std::size_t lines_ = 0;  // that stand on the terminal
   std::atomic<std::size_t> programs_ = 0;

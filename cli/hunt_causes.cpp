@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "cli/causes.hpp"
@@ -13,14 +15,16 @@
 #include "fuzz/hunt/campaign_page.hpp"
 #include "fuzz/hunt/finding_files.hpp"
 #include "fuzz/identify/shared_causes.hpp"
+#include "fuzz/program/modes.hpp"
 #include "oracle/records/finding.hpp"
+#include "reference/descriptor.hpp"
 
 namespace gonogo::cli {
 namespace {
 
 using identify::ProgramAsked;
 
-constexpr std::size_t kMostOthers = 400;  // programs
+constexpr std::size_t kMostOthers = 800;  // programs
 
 // A breakdown has no cause in the reference's terms, and one program does not show what is left
 // over from others.
@@ -38,6 +42,39 @@ std::unique_ptr<oracle::Subject> subject_to_ask(const TrialWords& words) {
 identify::ExplanationOptions explanation_options(const TrialWords& words) {
   const hunt::TrialOptions options = trial_options(words);
   return {options.tolerance, options.chord, options.feed_resolution, kMostRecordsToExplain};
+}
+
+// The codes of a program, without the traverse and the feed that nearly all have.
+std::set<std::string> codes_of(const ProgramAsked& asked) {
+  std::set<std::string> codes;
+  const program::ProgramText text(asked.profile, asked.program);
+  for (const program::TextBlock& block : text.blocks) {
+    for (const std::string& name : block.codes) {
+      const reference::Code* const code = text.table->find(name);
+      const bool is_telling = code != nullptr && code->kind != reference::Kind::traverse &&
+                              code->kind != reference::Kind::line;
+      if (is_telling) codes.insert(name);
+    }
+  }
+  return codes;
+}
+
+// Of programs that pass the more telling ones come first: a mistake shows where its codes stand.
+std::vector<ProgramAsked> others_beside(const std::vector<ProgramAsked>& symptoms,
+                                        const std::vector<ProgramAsked>& all) {
+  std::set<std::string> wanted;
+  for (const ProgramAsked& symptom : symptoms) wanted.merge(codes_of(symptom));
+  std::vector<ProgramAsked> alike;
+  std::vector<ProgramAsked> rest;
+  for (const ProgramAsked& other : all) {
+    const bool shares = std::ranges::any_of(
+        codes_of(other), [&](const std::string& code) { return wanted.contains(code); });
+    (shares ? alike : rest).push_back(other);
+  }
+  std::vector<ProgramAsked> chosen = identify::spread(alike, kMostOthers * 3 / 4);
+  std::ranges::move(identify::spread(rest, kMostOthers - chosen.size()),
+                    std::back_inserter(chosen));
+  return chosen;
 }
 
 struct Asked {
@@ -69,7 +106,7 @@ std::vector<ProgramAsked> other_programs(const std::string& folder) {
                      program.profile});
     }
   }
-  return spread(all, kMostOthers);
+  return all;
 }
 
 hunt::Causes causes_of(const Asked& asked, const std::vector<ProgramAsked>& others,
@@ -78,7 +115,8 @@ hunt::Causes causes_of(const Asked& asked, const std::vector<ProgramAsked>& othe
   if (asked.programs.empty()) return causes;
   const std::unique_ptr<oracle::Subject> subject = subject_to_ask(words);
   const identify::SharedCauses found =
-      find_shared_causes(*subject, asked.programs, others, explanation_options(words));
+      find_shared_causes(*subject, asked.programs, others_beside(asked.programs, others),
+                         explanation_options(words));
   for (const identify::SharedCause& cause : found.causes) {
     for (const std::size_t symptom : cause.symptoms) {
       causes[asked.signatures[symptom]] = cause.told();
@@ -144,7 +182,7 @@ hunt::HuntSummary tell_findings(const std::vector<hunt::Finding>& findings, cons
     others.push_back({"tried", std::move(program.text), program.profile});
   }
   try {
-    group_findings(summary, causes_of(asked, spread(others, kMostOthers), words));
+    group_findings(summary, causes_of(asked, others, words));
   } catch (const oracle::SubjectUnusable&) {
     group_findings(summary, {});  // what they come from is a courtesy
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <limits>
 
@@ -48,8 +49,8 @@ std::string tolerances_of(const LimitOptions& limits) {
 }
 
 std::string command_of(const HuntWords& words) {
-  std::string command =
-      fmt::format("gonogo hunt --subject {}", oracle::shell_quoted(words.trial.subject));
+  std::string command = fmt::format("{} hunt --subject {}", oracle::report::program_word(),
+                                    oracle::shell_quoted(words.trial.subject));
   for (const std::string& beside : words.beside) {
     command += " --beside " + oracle::shell_quoted(beside);
   }
@@ -65,6 +66,10 @@ std::string command_of(const HuntWords& words) {
   command += tolerances_of(words.trial.limits);
   if (!words.settings.empty()) command += " --settings " + words.settings;
   if (words.everywhere) command += " --everywhere";
+  if (!words.known_failures.empty()) {
+    command += " --known-failures " + oracle::shell_quoted(words.known_failures);
+  }
+  if (!words.corpus.empty()) command += " --corpus " + oracle::shell_quoted(words.corpus);
   return command;
 }
 
@@ -90,15 +95,32 @@ std::string finding_line(std::string_view name, const std::string& value) {
   return fmt::format("  {:<11}{}\n", name, value.empty() ? "nothing" : value);
 }
 
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+bool HuntEnd::is_broken_off() const {
+  return interrupted != 0;
+}
+
 HuntEnd::HuntEnd(const HuntWords& words)
     : programs(static_cast<std::size_t>(words.programs)),
       findings(static_cast<std::size_t>(words.stop_after)) {
   if (!words.time.empty()) time = time_of(words.time);
   if (words.time.empty() && programs == 0) time = std::chrono::seconds(60);
+  // A shell that sends it to the background has it ignored.
+  if (std::signal(SIGINT, interrupt) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
 }
 
 bool HuntEnd::reached(std::size_t tried, std::size_t found) const {
-  return (programs != 0 && tried >= programs) || (findings != 0 && found >= findings) ||
+  return is_broken_off() || (programs != 0 && tried >= programs) || (findings != 0 && found >= findings) ||
          (time.count() != 0 && Clock::now() - begin >= time);
 }
 
@@ -138,8 +160,13 @@ void know_failures(const HuntWords& words, hunt::HuntOptions& options) {
   const oracle::Corpus corpus(corpus_folder(words.corpus));
   options.known = hunt::known_signatures(entries, corpus, options.dialect, trial);
   Output output;
-  output.text() = fmt::format("{}: {} departures that are known are no news\n",
-                              words.known_failures, options.known.size());
+  output.text() =
+      options.known.empty()
+          ? fmt::format("{}: none of its failures shows in a case of {}: they are mended, or of "
+                        "another corpus (--corpus)\n",
+                        words.known_failures, corpus.folder())
+          : fmt::format("{}: {} departures that are known are no news\n", words.known_failures,
+                        options.known.size());
   output.tell();
 }
 

@@ -65,6 +65,9 @@ struct HuntEnd {
 
   explicit HuntEnd(const HuntWords& words);
   bool reached(std::size_t tried, std::size_t found) const;
+  // Whether the user has interrupted the hunt (SIGINT), which then ends as if its time were over. A
+  // second interrupt ends the program.
+  bool is_broken_off() const;
   double seconds_left(std::size_t tried) const;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
@@ -60,6 +61,32 @@ bool has_news(const hunt::HuntSummary& summary, const std::set<hunt::Signature>&
   });
 }
 
+// What ends within the first round of every job leaves nothing in the folder.
+void check_whole_rounds(const HuntWords& words) {
+  const long least = words.round * words.jobs;
+  if (words.programs == 0 || words.programs >= least) return;
+  throw UsageError(fmt::format(
+      "--programs {} ends within the first {} of {} programs, of which nothing would be kept: give "
+      "--programs {} or more.",
+      words.programs, words.jobs == 1 ? "round" : fmt::format("rounds of {} jobs", words.jobs),
+      words.round, least));
+}
+
+// The shards of a campaign divide its rounds: with others it would be another hunt, beside it.
+void check_shards(const HuntWords& words, std::size_t machines, std::size_t shards) {
+  for (const std::string& folder : hunt::shards_of(words.campaign)) {
+    const std::string name = std::filesystem::path(folder).filename().string();
+    const std::size_t of = name.rfind("-of-");
+    const std::size_t there =
+        of == std::string::npos ? 0 : std::strtoul(name.c_str() + of + 4, nullptr, 10);
+    if (there == 0 || there == shards) continue;
+    const std::string jobs = there % machines == 0 ? fmt::format(": give --jobs {}", there / machines)
+                                                   : std::string();
+    throw UsageError(fmt::format("The hunt in {} has {}, not {}{}.", words.campaign,
+                                 oracle::counted(there, "shard", "shards"), shards, jobs));
+  }
+}
+
 }  // namespace
 
 int hunt_campaign(HuntWords words) {
@@ -69,15 +96,11 @@ int hunt_campaign(HuntWords words) {
   if (!words.trial.out.empty()) {
     throw UsageError("A campaign has its own folder: --campaign DIR without --out.");
   }
-  if (words.programs != 0 && words.programs < words.round) {
-    throw UsageError(fmt::format(
-        "--programs {} ends within the first round of {}, which the next run then does again: give "
-        "--round {} or less.",
-        words.programs, words.round, words.programs));
-  }
+  check_whole_rounds(words);
   const Shard machine = shard_option(words.shard);
   const auto jobs = static_cast<std::size_t>(words.jobs);
   const std::size_t shards = machine.of * jobs;
+  check_shards(words, machine.of, shards);
   const HuntEnd end(words);
   std::filesystem::create_directories(words.campaign);
   HuntBoard board(words, end);
@@ -98,6 +121,8 @@ int hunt_campaign(HuntWords words) {
                                  fmt::format("gonogo {}", kVersion))}));
     } catch (const std::invalid_argument& error) {
       throw UsageError(fmt::format("{} ({})", error.what(), folder));
+    } catch (const oracle::ResultsRefused& error) {
+      throw UsageError(error.what());
     }
   }
   std::vector<std::thread> threads;
@@ -107,6 +132,10 @@ int hunt_campaign(HuntWords words) {
   }
   for (std::thread& thread : threads) thread.join();
   board.close();
+  if (end.is_broken_off()) {
+    complain("gonogo: broken off; the rounds that were done are kept, and the same command goes "
+             "on.\n");
+  }
   const hunt::HuntSummary summary = tell_campaign(words.campaign, words.trial);
   Output output;
   output.text() = finding_list_text(summary);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <stdexcept>
 
 #include "fuzz/hunt/round_times.hpp"
@@ -37,6 +38,8 @@ HuntCampaign::HuntCampaign(std::string folder, CampaignState wanted, SubjectMake
       trial_(std::move(trial)),
       options_(std::move(options)),
       gonogo_(std::move(gonogo)) {
+  std::filesystem::create_directories(folder_);
+  lock_ = std::make_unique<oracle::ResultsLock>(folder_ + "/hunt.json");
   auto there = read_campaign_state(folder_);
   if (!there) return;
   check_same("dialect", there->dialect, state_.dialect);

@@ -6,8 +6,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
+#include "campaign/results_lock.hpp"
 #include "fuzz/hunt/campaign_state.hpp"
 #include "fuzz/hunt/finding_files.hpp"
 
@@ -16,8 +18,8 @@ namespace gonogo::hunt {
 class HuntCampaign {
  public:
   // Continues the hunt in `folder`, or begins one. Throws std::invalid_argument where what lies
-  // there is another hunt (its message says what differs), std::runtime_error where it cannot be
-  // read, oracle::SubjectUnusable.
+  // there is another hunt (its message says what differs) or cannot be read,
+  // oracle::ResultsRefused where another process hunts there, oracle::SubjectUnusable.
   HuntCampaign(std::string folder, CampaignState wanted, SubjectMaker maker, TrialOptions trial,
                HuntOptions options, std::string gonogo);
 
@@ -36,6 +38,7 @@ class HuntCampaign {
   void keep(const Hunt& hunt);
 
   std::string folder_;
+  std::unique_ptr<oracle::ResultsLock> lock_;  // of the folder's state
   CampaignState state_;
   SubjectMaker maker_;
   TrialOptions trial_;

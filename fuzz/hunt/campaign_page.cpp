@@ -59,7 +59,7 @@ std::string totals(const HuntSummary& summary) {
   std::string cells = total("programs", std::to_string(count.programs));
   if (summary.seconds > 0) {
     cells +=
-        total("programs a second, each shard",
+        total("programs a second of a round, each shard",
               fmt::format("{:.0f}", static_cast<double>(summary.timed_programs) / summary.seconds));
   }
   cells += total("judged with motion", std::to_string(count.moved));

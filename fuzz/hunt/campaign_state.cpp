@@ -98,9 +98,9 @@ std::optional<CampaignState> read_campaign_state(const std::string& folder) {
   if (!fs::exists(path)) return std::nullopt;
   try {
     return state_of(Json::parse(oracle::file_text(path.string())));
-  } catch (const std::exception& error) {
-    throw std::runtime_error(
-        fmt::format("{} is not what a hunt wrote: {}", path.string(), error.what()));
+  } catch (const std::exception&) {
+    throw std::invalid_argument(fmt::format(
+        "{} is not what a hunt wrote: put it back, or begin in another folder.", path.string()));
   }
 }
 

@@ -42,7 +42,7 @@ struct CampaignState {
   std::vector<std::string> inputs;  // names, in the order of the pool
 };
 
-// Nothing where the folder has no such file. Throws std::runtime_error where it cannot be read as
+// Nothing where the folder has no such file. Throws std::invalid_argument where it cannot be read as
 // one, naming it.
 std::optional<CampaignState> read_campaign_state(const std::string& folder);
 // The folders of all shards that lie in a campaign's, sorted; none where it is none.

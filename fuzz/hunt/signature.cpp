@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "corpus/io/sha256.hpp"
 #include "fuzz/program/modes.hpp"
 #include "oracle/records/finding.hpp"
@@ -11,6 +13,20 @@ namespace gonogo::hunt {
 namespace {
 
 constexpr std::string_view kOfEarlierBlock = " of an earlier block";
+
+// " Y": along which axes two motions of one kind end apart. Another axis may be another mistake.
+std::string axes_apart(const std::string& want, const std::string& got) {
+  const auto due = nlohmann::json::parse(want, nullptr, false);
+  const auto came = nlohmann::json::parse(got, nullptr, false);
+  const bool have_ends = due.is_object() && came.is_object() && due.contains("to") &&
+                         came.contains("to") && due["to"].is_object() && came["to"].is_object();
+  if (!have_ends || due.value("k", "") != came.value("k", "")) return {};
+  std::string axes;
+  for (const auto& [axis, end] : due["to"].items()) {
+    if (came["to"].contains(axis) && came["to"][axis] != end) axes += static_cast<char>(axis[0] - 'a' + 'A');
+  }
+  return axes.empty() ? axes : " " + axes;
+}
 
 }  // namespace
 
@@ -47,7 +63,11 @@ Signature signature_of(const oracle::Verdict& verdict, const generate::Generated
   signature.what = oracle::departed_about(verdict.kind, verdict.want, verdict.got, verdict.message);
   if (oracle::is_breakdown(verdict.kind)) return signature;
   // The reference is at a later block: what it has there is chance.
-  if (oracle::is_of_earlier_block(verdict.want, verdict.got)) signature.what += kOfEarlierBlock;
+  if (oracle::is_of_earlier_block(verdict.want, verdict.got)) {
+    signature.what += kOfEarlierBlock;
+  } else if (verdict.kind == oracle::VerdictKind::fail_geometry) {
+    signature.what += axes_apart(verdict.want, verdict.got);
+  }
   signature.code = program::ProgramText(program.profile, program.text).code_at(verdict.block);
   return signature;
 }

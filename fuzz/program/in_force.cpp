@@ -41,7 +41,8 @@ class InForce {
   // The code that the block repeats, and where it was given.
   void add_motion() {
     const Code* const code = block_.modes.motion;
-    if (block_.modes.own != nullptr || code == nullptr || !names_something()) return;
+    const bool repeats = block_.modes.own == nullptr || block_.modes.moves_beside;
+    if (!repeats || code == nullptr || !names_something()) return;
     for (std::size_t i = at_; i-- > 0;) {
       if (program_.blocks[i].modes.own != code) continue;
       add(std::string(code->name), i, shown(table().clause_of_holding(Holds::motion, *code)));
@@ -55,7 +56,7 @@ class InForce {
 
   // Along an axis of the plane a hole has a place of its own.
   bool is_of_hole_place(const reference::CodeWord& word, const std::string& name) const {
-    const Code& code = *block_.modes.code();
+    const Code& code = *block_.modes.moving();
     const reference::CodeWord* const level = code.find("R");
     const bool is_hole = level != nullptr && level->role == Role::along_d;
     constexpr std::string_view kDepths[] = {"Z", "Y", "X"};
@@ -65,14 +66,14 @@ class InForce {
 
   // Words of the code in force that an earlier block of it gave and this one lacks.
   void add_words() {
-    const Code* const code = block_.modes.code();
+    const Code* const code = block_.modes.moving();
     if (code == nullptr || code->kind != Kind::cycle || !names_something()) return;
     std::set<std::string> seen;
     for (const TextWord& word : block_.words) seen.insert(name_of(word));
     for (std::size_t i = at_; i-- > 0;) {
       const TextBlock& before = program_.blocks[i];
       if (before.modes.motion != code) break;
-      if (before.modes.code() != code) continue;
+      if (before.modes.moving() != code) continue;
       std::vector<std::string> words;
       for (const TextWord& word : before.words) {
         const std::string name = name_of(word);
@@ -88,7 +89,7 @@ class InForce {
   }
 
   bool matters(Group group) const {
-    const Code* const code = block_.modes.code();
+    const Code* const code = block_.modes.moving();
     if (group == Group::arc_distance) return code != nullptr && code->kind == Kind::arc;
     if (group == Group::retract) return code != nullptr && code->kind == Kind::cycle;
     return group == Group::units || group == Group::distance || group == Group::plane ||

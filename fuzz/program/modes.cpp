@@ -95,6 +95,13 @@ BlockModes Modes::take(const TextBlock& block, const reference::Descriptor& tabl
     now_.own = code;
     if (code->group != Group::once) now_.motion = code;
   }
+  const auto is_of_motion = [&](const TextWord& word) {
+    const std::string name = name_of(word);
+    const reference::CodeWord* const role = now_.motion->find(name);
+    return role != nullptr && role->role == reference::Role::place && !now_.own->find(name);
+  };
+  now_.moves_beside = now_.own != nullptr && now_.own->kind == Kind::dwell &&
+                      now_.motion != nullptr && std::ranges::any_of(block.words, is_of_motion);
   return now_;
 }
 

@@ -26,8 +26,11 @@ struct BlockModes {
   bool inverse_time = false;  // F is of its own block
   bool x_radius = false;      // X words are radii
 
+  bool moves_beside = false;  // the motion in force runs, too, beside a dwell
   // What the block runs: its own code, else the one in force. Null: none.
   const reference::Code* code() const { return own != nullptr ? own : motion; }
+  // What moves in the block: of a dwell beside a motion the motion.
+  const reference::Code* moving() const { return moves_beside ? motion : code(); }
   std::string_view code_name() const { return code() == nullptr ? "" : code()->name; }
   bool is_of(reference::Kind kind) const { return code() != nullptr && code()->kind == kind; }
   bool in_cycle() const { return is_of(reference::Kind::cycle) || in_thread(); }
@@ -57,7 +60,9 @@ struct ProgramText {
   std::string text() const;
   // The code that a line runs, from 1; "" where it runs none, or there is none.
   std::string_view code_at(std::uint64_t line) const {
-    return line == 0 || line > blocks.size() ? "" : blocks[line - 1].modes.code_name();
+    const bool is_there = line > 0 && line <= blocks.size();
+    const reference::Code* const code = is_there ? blocks[line - 1].modes.moving() : nullptr;
+    return code == nullptr ? std::string_view() : code->name;
   }
 
   const reference::Descriptor* table;  // of the dialect

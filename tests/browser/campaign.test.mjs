@@ -85,7 +85,7 @@ test('the numbers are those of the campaign', () => withPage(async (page) => {
     assert.equal(await number(page, what), told.count[key], what);
   }
   assert.equal(told.count.programs, 600);
-  assert.ok(await number(page, 'programs a second, each shard') > 0);
+  assert.ok(await number(page, 'programs a second of a round, each shard') > 0);
   const features = await page.locator('#feature-table tbody th').allInnerTexts();
   assert.deepEqual(features, Object.keys(told.features));
   const arc = page.locator('#feature-table tbody tr', { has: page.locator('th:text-is("arc")') });

@@ -144,7 +144,7 @@ TEST_F(HuntCampaigns, AnotherHuntInTheFolderIsRefused) {
 TEST_F(HuntCampaigns, ASpoiltFileIsSaidToBeOne) {
   campaign(in("one")).round(say_nothing, go_on);
   std::ofstream(in("one/hunt.json")) << "{\"format\": 1,";
-  EXPECT_THROW(campaign(in("one")), std::runtime_error);
+  EXPECT_THROW(campaign(in("one")), std::invalid_argument);
 }
 
 }  // namespace

@@ -37,7 +37,35 @@ TEST(Signature, AnotherKindOfVerdictIsAnotherDefect) {
 // G94 goes at rapid to B = C + R = Z-12; with the fault to Z-8, which lies on the way, and cuts on.
 TEST(Signature, NamesClauseRecordsAndCode) {
   EXPECT_EQ(signature("taper-sign", "G00 X100 Z5\nG94 X50 Z-10 R-2 F100\n").text(),
-            "fail.geometry GSK-G94-02 rapid/rapid in G94");
+            "fail.geometry GSK-G94-02 rapid/rapid Z in G94");
+}
+
+// A mistake along one axis does not stand for one along another.
+TEST(Signature, NamesTheAxesAlongWhichMotionsOfOneKindEndApart) {
+  const auto what = [](const char* want, const char* got) {
+    oracle::Verdict verdict;
+    verdict.kind = oracle::VerdictKind::fail_geometry;
+    verdict.want = want;
+    verdict.got = got;
+    return signature_of(verdict, {{}, "G0\n"}).what;
+  };
+  const char* const want = R"({"k":"rapid","to":{"y":"25.4","z":"1"}})";
+  EXPECT_EQ(what(want, R"({"k":"rapid","to":{"x":"0","y":"50.8","z":"1"}})"), "rapid/rapid Y");
+  EXPECT_EQ(what(want, R"({"k":"rapid","to":{"y":"0","z":"2"}})"), "rapid/rapid YZ");
+  EXPECT_EQ(what(want, R"({"k":"rapid","to":{"x":"3"}})"), "rapid/rapid");
+  EXPECT_EQ(what(want, R"({"k":"feed","to":{"y":"0"}})"), "rapid/feed");
+}
+
+// G4 stands beside a cycle that goes on: the cycle is what moves.
+TEST(Signature, NamesTheMotionBesideADwell) {
+  oracle::Verdict verdict;
+  verdict.kind = oracle::VerdictKind::fail_geometry;
+  verdict.block = 2;
+  generate::GeneratedProgram program{{}, "G81 X1 Z-1 R1 F100\nG4 P1 X2\nG4 P1\n"};
+  program.profile.dialect = "rs274";
+  EXPECT_EQ(signature_of(verdict, program).code, "G81");
+  verdict.block = 3;
+  EXPECT_EQ(signature_of(verdict, program).code, "G4");
 }
 
 oracle::Verdict departure(const char* want, const char* got) {
