@@ -14,18 +14,20 @@ namespace {
 
 constexpr std::string_view kOfEarlierBlock = " of an earlier block";
 
-// " Y": along which axes two motions of one kind end apart. Another axis may be another mistake.
-std::string axes_apart(const std::string& want, const std::string& got) {
+// " Y": the first axis along which two motions of one kind end apart. Another may be another
+// mistake.
+std::string axis_apart(const std::string& want, const std::string& got) {
   const auto due = nlohmann::json::parse(want, nullptr, false);
   const auto came = nlohmann::json::parse(got, nullptr, false);
   const bool have_ends = due.is_object() && came.is_object() && due.contains("to") &&
                          came.contains("to") && due["to"].is_object() && came["to"].is_object();
   if (!have_ends || due.value("k", "") != came.value("k", "")) return {};
-  std::string axes;
-  for (const auto& [axis, end] : due["to"].items()) {
-    if (came["to"].contains(axis) && came["to"][axis] != end) axes += static_cast<char>(axis[0] - 'a' + 'A');
+  for (const char* const axis : {"x", "y", "z", "a", "c"}) {
+    const bool have_both = due["to"].contains(axis) && came["to"].contains(axis);
+    if (have_both && due["to"][axis] != came["to"][axis])
+      return {' ', static_cast<char>(*axis - 'a' + 'A')};
   }
-  return axes.empty() ? axes : " " + axes;
+  return {};
 }
 
 }  // namespace
@@ -66,7 +68,7 @@ Signature signature_of(const oracle::Verdict& verdict, const generate::Generated
   if (oracle::is_of_earlier_block(verdict.want, verdict.got)) {
     signature.what += kOfEarlierBlock;
   } else if (verdict.kind == oracle::VerdictKind::fail_geometry) {
-    signature.what += axes_apart(verdict.want, verdict.got);
+    signature.what += axis_apart(verdict.want, verdict.got);
   }
   signature.code = program::ProgramText(program.profile, program.text).code_at(verdict.block);
   return signature;

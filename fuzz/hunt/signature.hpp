@@ -14,9 +14,9 @@ struct Signature {
   std::string dialect;
   oracle::VerdictKind kind = oracle::VerdictKind::pass_exact;
   std::string clause;  // departed from; empty: none
-  // Kinds of the two records, classes of the two alarms, or what broke down; "feed/feed XZ": along
-  // which axes two of one kind end apart; "feed/rapid of an earlier block" where the subject moves
-  // in a block that the reference has left.
+  // Kinds of the two records, classes of the two alarms, or what broke down; "feed/feed X": the
+  // first axis along which two of one kind end apart; "feed/rapid of an earlier block" where the
+  // subject moves in a block that the reference has left.
   std::string what;
   std::string code;  // in force in the block: "G94"; of a motion beside a dwell that of the motion
 

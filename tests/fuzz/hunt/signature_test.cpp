@@ -41,7 +41,7 @@ TEST(Signature, NamesClauseRecordsAndCode) {
 }
 
 // A mistake along one axis does not stand for one along another.
-TEST(Signature, NamesTheAxesAlongWhichMotionsOfOneKindEndApart) {
+TEST(Signature, NamesTheFirstAxisAlongWhichMotionsOfOneKindEndApart) {
   const auto what = [](const char* want, const char* got) {
     oracle::Verdict verdict;
     verdict.kind = oracle::VerdictKind::fail_geometry;
@@ -51,7 +51,8 @@ TEST(Signature, NamesTheAxesAlongWhichMotionsOfOneKindEndApart) {
   };
   const char* const want = R"({"k":"rapid","to":{"y":"25.4","z":"1"}})";
   EXPECT_EQ(what(want, R"({"k":"rapid","to":{"x":"0","y":"50.8","z":"1"}})"), "rapid/rapid Y");
-  EXPECT_EQ(what(want, R"({"k":"rapid","to":{"y":"0","z":"2"}})"), "rapid/rapid YZ");
+  EXPECT_EQ(what(want, R"({"k":"rapid","to":{"y":"0","z":"2"}})"), "rapid/rapid Y");
+  EXPECT_EQ(what(want, R"({"k":"rapid","to":{"y":"25.4","z":"2"}})"), "rapid/rapid Z");
   EXPECT_EQ(what(want, R"({"k":"rapid","to":{"x":"3"}})"), "rapid/rapid");
   EXPECT_EQ(what(want, R"({"k":"feed","to":{"y":"0"}})"), "rapid/feed");
 }
