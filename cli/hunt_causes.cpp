@@ -24,7 +24,8 @@ namespace {
 
 using identify::ProgramAsked;
 
-constexpr std::size_t kMostOthers = 800;  // programs
+constexpr std::size_t kMostOthers = 800;   // programs
+constexpr std::size_t kMostOfCodes = 150;  // of them, with the codes of one symptom
 
 // A breakdown has no cause in the reference's terms, and one program does not show what is left
 // over from others.
@@ -59,22 +60,29 @@ std::set<std::string> codes_of(const ProgramAsked& asked) {
   return codes;
 }
 
-// Of programs that pass the more telling ones come first: a mistake shows where its codes stand.
+// Of programs that may pass: the short ones with all codes of a symptom, for there its mistake
+// shows alone; then any.
 std::vector<ProgramAsked> others_beside(const std::vector<ProgramAsked>& symptoms,
                                         const std::vector<ProgramAsked>& all) {
-  std::set<std::string> wanted;
-  for (const ProgramAsked& symptom : symptoms) wanted.merge(codes_of(symptom));
-  std::vector<ProgramAsked> alike;
-  std::vector<ProgramAsked> rest;
-  for (const ProgramAsked& other : all) {
-    const bool shares = std::ranges::any_of(
-        codes_of(other), [&](const std::string& code) { return wanted.contains(code); });
-    (shares ? alike : rest).push_back(other);
+  std::set<std::set<std::string>> wanted;
+  for (const ProgramAsked& symptom : symptoms) wanted.insert(codes_of(symptom));
+  std::vector<std::pair<const ProgramAsked*, std::set<std::string>>> by_size;
+  for (const ProgramAsked& other : all) by_size.emplace_back(&other, codes_of(other));
+  std::ranges::stable_sort(by_size, {}, [](const auto& one) { return one.first->program.size(); });
+  std::set<const ProgramAsked*> chosen;
+  for (const std::set<std::string>& codes : wanted) {
+    std::size_t taken = 0;
+    for (const auto& [other, its] : by_size) {
+      if (taken == kMostOfCodes || chosen.size() == kMostOthers) break;
+      if (std::ranges::includes(its, codes) && chosen.insert(other).second) ++taken;
+    }
   }
-  std::vector<ProgramAsked> chosen = identify::spread(alike, kMostOthers * 3 / 4);
-  std::ranges::move(identify::spread(rest, kMostOthers - chosen.size()),
-                    std::back_inserter(chosen));
-  return chosen;
+  std::vector<ProgramAsked> rest;
+  std::vector<ProgramAsked> others;
+  for (const ProgramAsked& other : all) (chosen.contains(&other) ? others : rest).push_back(other);
+  std::ranges::move(identify::spread(rest, kMostOthers - others.size()),
+                    std::back_inserter(others));
+  return others;
 }
 
 struct Asked {
@@ -114,9 +122,8 @@ hunt::Causes causes_of(const Asked& asked, const std::vector<ProgramAsked>& othe
   hunt::Causes causes;
   if (asked.programs.empty()) return causes;
   const std::unique_ptr<oracle::Subject> subject = subject_to_ask(words);
-  const identify::SharedCauses found =
-      find_shared_causes(*subject, asked.programs, others_beside(asked.programs, others),
-                         explanation_options(words));
+  const identify::SharedCauses found = find_shared_causes(
+      *subject, asked.programs, others_beside(asked.programs, others), explanation_options(words));
   for (const identify::SharedCause& cause : found.causes) {
     for (const std::size_t symptom : cause.symptoms) {
       causes[asked.signatures[symptom]] = cause.told();

@@ -120,7 +120,8 @@ HuntEnd::HuntEnd(const HuntWords& words)
 }
 
 bool HuntEnd::reached(std::size_t tried, std::size_t found) const {
-  return is_broken_off() || (programs != 0 && tried >= programs) || (findings != 0 && found >= findings) ||
+  return is_broken_off() || (programs != 0 && tried >= programs) ||
+         (findings != 0 && found >= findings) ||
          (time.count() != 0 && Clock::now() - begin >= time);
 }
 
@@ -162,9 +163,10 @@ void know_failures(const HuntWords& words, hunt::HuntOptions& options) {
   Output output;
   output.text() =
       options.known.empty()
-          ? fmt::format("{}: none of its failures shows in a case of {}: they are mended, or of "
-                        "another corpus (--corpus)\n",
-                        words.known_failures, corpus.folder())
+          ? fmt::format(
+                "{}: none of its failures shows in a case of {}: they are mended, or of "
+                "another corpus (--corpus)\n",
+                words.known_failures, corpus.folder())
           : fmt::format("{}: {} departures that are known are no news\n", words.known_failures,
                         options.known.size());
   output.tell();

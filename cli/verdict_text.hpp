@@ -4,12 +4,12 @@
 #include <map>
 #include <string>
 
-#include "cli/exit_code.hpp"
 #include "campaign/results.hpp"
-#include "publish/evidence/case_row.hpp"
+#include "cli/exit_code.hpp"
 #include "oracle/records/finding.hpp"
 #include "oracle/records/verdict.hpp"
 #include "oracle/relation/definition.hpp"
+#include "publish/evidence/case_row.hpp"
 
 namespace gonogo::cli {
 
@@ -28,12 +28,12 @@ struct CampaignSummary {
   oracle::ResultsFooter footer;
   oracle::Findings findings;
   std::map<std::size_t, oracle::evidence::CaseRow> smallest;  // case of a finding, by its number
-  std::size_t causes_asked = 0;  // findings of which a cause was looked for
+  std::size_t causes_asked = 0;       // findings of which a cause was looked for
   std::string_view no_cause_because;  // why it was looked for in none; empty: it was, or not asked
-  std::size_t run_again = 0;     // cases that took more than two runs
-  std::size_t further_runs = 0;  // that they took beside two
+  std::size_t run_again = 0;          // cases that took more than two runs
+  std::size_t further_runs = 0;       // that they took beside two
   oracle::Findings::Order order = oracle::Findings::Order::gravity;
-  bool complete = true;          // not stopped at the first NO-GO
+  bool complete = true;  // not stopped at the first NO-GO
 };
 // Findings that are shown with their evidence; of the others a line each.
 inline constexpr std::size_t kShownFindings = 10;

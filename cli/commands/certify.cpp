@@ -396,9 +396,8 @@ void check_cases(const std::vector<std::string>& cases, const oracle::Corpus& co
     if (known.contains(id)) continue;
     std::string near = with_whole_number(id);
     if (!known.contains(near)) near = reference::nearest_word(id, {known.begin(), known.end()});
-    throw UsageError(
-        fmt::format("The corpus has no case {}. {}`gonogo corpus list` names them.", id,
-                    reference::did_you_mean(near)));
+    throw UsageError(fmt::format("The corpus has no case {}. {}`gonogo corpus list` names them.",
+                                 id, reference::did_you_mean(near)));
   }
 }
 

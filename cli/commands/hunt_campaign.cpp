@@ -80,8 +80,8 @@ void check_shards(const HuntWords& words, std::size_t machines, std::size_t shar
     const std::size_t there =
         of == std::string::npos ? 0 : std::strtoul(name.c_str() + of + 4, nullptr, 10);
     if (there == 0 || there == shards) continue;
-    const std::string jobs = there % machines == 0 ? fmt::format(": give --jobs {}", there / machines)
-                                                   : std::string();
+    const std::string jobs =
+        there % machines == 0 ? fmt::format(": give --jobs {}", there / machines) : std::string();
     throw UsageError(fmt::format("The hunt in {} has {}, not {}{}.", words.campaign,
                                  oracle::counted(there, "shard", "shards"), shards, jobs));
   }
@@ -133,8 +133,9 @@ int hunt_campaign(HuntWords words) {
   for (std::thread& thread : threads) thread.join();
   board.close();
   if (end.is_broken_off()) {
-    complain("gonogo: broken off; the rounds that were done are kept, and the same command goes "
-             "on.\n");
+    complain(
+        "gonogo: broken off; the rounds that were done are kept, and the same command goes "
+        "on.\n");
   }
   const hunt::HuntSummary summary = tell_campaign(words.campaign, words.trial);
   Output output;

@@ -38,7 +38,7 @@ struct Configuration {
   Option arc_tolerance = kByNist;  ///< ngc.arc-tolerance
   Option circle_needs_word = 0;    ///< ngc.full-circle-words
   Option forgets_g80 = 0;          ///< ngc.g80-beside
-  Option ignores_words = 0;    ///< ngc.unused-words
+  Option ignores_words = 0;        ///< ngc.unused-words
   Option whole_line_numbers = 0;   ///< ngc.line-number
   Option refuses_names = 0;        ///< ngc.o-name
   Option needs_no_end = 0;         ///< ngc.program-end

@@ -42,8 +42,8 @@ struct CampaignState {
   std::vector<std::string> inputs;  // names, in the order of the pool
 };
 
-// Nothing where the folder has no such file. Throws std::invalid_argument where it cannot be read as
-// one, naming it.
+// Nothing where the folder has no such file. Throws std::invalid_argument where it cannot be read
+// as one, naming it.
 std::optional<CampaignState> read_campaign_state(const std::string& folder);
 // The folders of all shards that lie in a campaign's, sorted; none where it is none.
 std::vector<std::string> shards_of(const std::string& campaign);

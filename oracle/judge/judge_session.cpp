@@ -119,8 +119,8 @@ void JudgeSession::bury(std::shared_ptr<Fork> fork) {
   ProgramJudge& judge = fork->judge;
   most_others_ = std::max(most_others_, judge.watched().others());
   const bool keeps = departures_.size() < kMaximumAssignments;
-  const bool is_best = consider({keeps ? judge.decided() : judge.finish(RunEnd{}), judge.progress()},
-                                keeps ? fork : nullptr);
+  const bool is_best = consider(
+      {keeps ? judge.decided() : judge.finish(RunEnd{}), judge.progress()}, keeps ? fork : nullptr);
   if (is_best) surplus_ = judge.surplus();
   try_lengths(*fork);
 }

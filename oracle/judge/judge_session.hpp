@@ -93,10 +93,10 @@ class JudgeSession {
   std::optional<RecordLog> taken_;
   std::size_t records_ = 0;  // of the subject, and its end
   std::size_t best_records_ = 0;
-  std::optional<SampledVerdict> best_;                // of those that are at their end
-  std::shared_ptr<Fork> best_unexplained_;            // as of `consider`
-  std::optional<Surplus> surplus_;                    // of the best, until the next record
-  std::optional<std::uint64_t> surplus_block_;        // of the best, where that record shows it
+  std::optional<SampledVerdict> best_;          // of those that are at their end
+  std::shared_ptr<Fork> best_unexplained_;      // as of `consider`
+  std::optional<Surplus> surplus_;              // of the best, until the next record
+  std::optional<std::uint64_t> surplus_block_;  // of the best, where that record shows it
   struct Departed {
     SampledVerdict said;
     std::shared_ptr<Fork> unexplained;

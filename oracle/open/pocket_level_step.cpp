@@ -117,7 +117,8 @@ OpenStepAnswer PocketLevelStep::leaves_depth(const Motion& motion) const {
 OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   const Record& record = motion.record;
   if (motions_.empty()) plunge_ = motion.from;
-  if (!agree(motion.to()[axes_.d], level_.depth, tolerances_.tolerance)) return leaves_depth(motion);
+  if (!agree(motion.to()[axes_.d], level_.depth, tolerances_.tolerance))
+    return leaves_depth(motion);
   if (turns_rotary_axis(motion, tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, motion, "A rotary axis moves in a level.");
   }

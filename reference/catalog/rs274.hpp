@@ -48,7 +48,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/arc.cpp"},
     {"NGC-ARC-03", must, kArcs,
      "The radii at start and end may differ by the tolerance; within it the centre stays where it "
-     "is programmed, and the radius is linear in the angle. A radius of zero, for LinuxCNC one below "
+     "is programmed, and the radius is linear in the angle. A radius of zero, for LinuxCNC one "
+     "below "
      "0.00127 mm, is an alarm of its own.",
      "reference/rs274/arc.cpp"},
     {"NGC-ARC-04", must, kArcs,
@@ -105,7 +106,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/program_text.cpp"},
     {"NGC-COM-09", must, kBlocks,
      "The speed S is not below zero; the tool T is a whole number that is not below zero either, "
-     "nor Q of M61. M62 to M65 need P, M67 and M68 E; M66 needs P or E, and with L, which goes with P "
+     "nor Q of M61. M62 to M65 need P, M67 and M68 E; M66 needs P or E, and with L, which goes "
+     "with P "
      "alone, a time Q above zero.",
      "reference/rs274/m_functions.cpp"},
     {"NGC-COM-10", must, kOverview,

@@ -27,7 +27,7 @@ class NearWhole {
   bool counts_for_grbl(Whole what) const;
 
   Number nearest_;
-  Number off_;           // how far away it is, from 0 to 1/2
+  Number off_;              // how far away it is, from 0 to 1/2
   bool is_beyond_ = false;  // farther from zero than the nearest, or that is zero
 };
 

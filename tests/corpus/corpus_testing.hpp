@@ -21,8 +21,8 @@ std::string corpus_folder();
 // Every case of the checked-in corpus, by id; read once.
 const std::map<std::string, oracle::Case>& checked_in_cases();
 
-// Expectation `number` of the case `id`. Reads only the file that has the case; throws std::out_of_range where
-// the corpus has no such expectation.
+// Expectation `number` of the case `id`. Reads only the file that has the case; throws
+// std::out_of_range where the corpus has no such expectation.
 oracle::Expectation checked_in_expectation(const std::string& id, std::size_t number = 0);
 
 std::string bytes_of(const std::filesystem::path& file);

@@ -65,7 +65,8 @@ TEST(NgcWhole, GrblCutsAtThePointAndRoundsToHundredths) {
   for (const char* g : {"1.0049", "1.00499999999", "90.1049", "90.095", "-0.0049"}) {
     EXPECT_EQ(whole_alarm(std::string("G") + g, kByGrbl), "") << g;
   }
-  for (const char* g : {"1.005", "0.99999", "0.99999999999", "90.105", "90.0949", "90.09499999999"}) {
+  for (const char* g :
+       {"1.005", "0.99999", "0.99999999999", "90.105", "90.0949", "90.09499999999"}) {
     EXPECT_EQ(whole_alarm(std::string("G") + g, kByGrbl), "undefined-code") << g;
   }
   EXPECT_EQ(whole_alarm("M3.0049", kByGrbl), "");
