@@ -58,8 +58,12 @@ void ProgramJudge::decide_departure() {
   if (known) {
     name_line(*known, refutation.from.step);
   } else {
+    // All that is said where an enclosure's width keeps the rest open.
     const bool is_feed = refutation.answer.departure == Departure::feed;
     known.emplace().kind = is_feed ? VerdictKind::fail_feed : VerdictKind::fail_geometry;
+    known->message = refutation.answer.reason;
+    known->clause = refutation.from.curve->motion().record.clause;
+    known->record = refutation.motion->number;
   }
   decide(*std::move(known));
   if (verdict_->kind != VerdictKind::fail_geometry) return;
