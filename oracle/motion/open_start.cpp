@@ -31,11 +31,10 @@ struct HalfPlane {
   // Its sign, by doubles where they are certain of it: each of the three terms is off by less than
   // 2^-50 of it, and so are the sums.
   int side(const PlaneVector& v) const {
-    constexpr double kOff = 1.0 / (1LL << 48);
     const double along_p = p * estimate(v.p);
     const double along_q = q * estimate(v.q);
     const double value = along_p + along_q - at;
-    const double off = (std::abs(along_p) + std::abs(along_q) + std::abs(at)) * kOff;
+    const double off = std::ldexp(std::abs(along_p) + std::abs(along_q) + std::abs(at), -kSureBits);
     if (std::abs(value) > off) return value > 0 ? 1 : -1;
     return beyond(v).sign();
   }

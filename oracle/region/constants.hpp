@@ -46,6 +46,8 @@ inline constexpr int kEstimateBits = 60;
 inline constexpr int kSignBits = 100;
 // bits | of rationals that stand for places of threads, helices and frames | R8
 inline constexpr int kRationalBits = 80;
+// bits | to which the sign of a sum of doubles is certain | -
+inline constexpr int kSureBits = 48;
 // bits | of rationals that stand for the points of a circle in space | R2
 inline constexpr int kSpaceBits = 512;
 // bits | of the middle of such a circle's part | R2
