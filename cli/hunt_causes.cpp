@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iterator>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "cli/causes.hpp"
@@ -68,7 +69,9 @@ std::vector<ProgramAsked> others_beside(const std::vector<ProgramAsked>& symptom
   for (const ProgramAsked& symptom : symptoms) wanted.insert(codes_of(symptom));
   std::vector<std::pair<const ProgramAsked*, std::set<std::string>>> by_size;
   for (const ProgramAsked& other : all) by_size.emplace_back(&other, codes_of(other));
-  std::ranges::stable_sort(by_size, {}, [](const auto& one) { return one.first->program.size(); });
+  std::ranges::sort(by_size, {}, [](const auto& one) {
+    return std::tuple(one.first->program.size(), one.first);  // as they stand where as long
+  });
   std::set<const ProgramAsked*> chosen;
   for (const std::set<std::string>& codes : wanted) {
     std::size_t taken = 0;

@@ -87,6 +87,29 @@ void check_shards(const HuntWords& words, std::size_t machines, std::size_t shar
   }
 }
 
+struct Job {
+  std::size_t number;
+  std::string folder;
+  hunt::HuntCampaign campaign;
+};
+
+// Throws UsageError.
+std::unique_ptr<Job> make_job(const HuntWords& words, const hunt::HuntOptions& options,
+                              std::size_t job, std::size_t shard, std::size_t shards) {
+  const std::string folder = folder_of(words, shard, shards);
+  try {
+    return std::make_unique<Job>(
+        Job{job, folder,
+            hunt::HuntCampaign(folder, wanted_state(words, shard, shards),
+                               trial_subject(words.trial), trial_options(words.trial), options,
+                               fmt::format("gonogo {}", kVersion))});
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("{} ({})", error.what(), folder));
+  } catch (const oracle::ResultsRefused& error) {
+    throw UsageError(error.what());
+  }
+}
+
 }  // namespace
 
 int hunt_campaign(HuntWords words) {
@@ -104,26 +127,10 @@ int hunt_campaign(HuntWords words) {
   const HuntEnd end(words);
   std::filesystem::create_directories(words.campaign);
   HuntBoard board(words, end);
-  struct Job {
-    std::size_t number;
-    std::string folder;
-    hunt::HuntCampaign campaign;
-  };
   std::vector<std::unique_ptr<Job>> work;
   for (std::size_t job = 1; job <= jobs; ++job) {
     const std::size_t shard = (machine.number - 1) * jobs + job;
-    const std::string folder = folder_of(words, shard, shards);
-    try {
-      work.push_back(std::make_unique<Job>(
-          Job{job, folder,
-              hunt::HuntCampaign(folder, wanted_state(words, shard, shards),
-                                 trial_subject(words.trial), trial_options(words.trial), options,
-                                 fmt::format("gonogo {}", kVersion))}));
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(fmt::format("{} ({})", error.what(), folder));
-    } catch (const oracle::ResultsRefused& error) {
-      throw UsageError(error.what());
-    }
+    work.push_back(make_job(words, options, job, shard, shards));
   }
   std::vector<std::thread> threads;
   for (const auto& job : work) {

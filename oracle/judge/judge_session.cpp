@@ -115,7 +115,7 @@ void JudgeSession::settle_forks() {
   }
 }
 
-void JudgeSession::bury(std::shared_ptr<Fork> fork) {
+void JudgeSession::bury(const std::shared_ptr<Fork>& fork) {
   ProgramJudge& judge = fork->judge;
   most_others_ = std::max(most_others_, judge.watched().others());
   const bool keeps = departures_.size() < kMaximumAssignments;

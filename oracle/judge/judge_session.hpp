@@ -70,7 +70,7 @@ class JudgeSession {
   void part(Fork& fork);
   void settle_forks();
   void stop_forking();
-  void bury(std::shared_ptr<Fork> fork);
+  void bury(const std::shared_ptr<Fork>& fork);
   void explain_best();
   void try_lengths(const Fork& fork);
   void try_length(const Fork& fork, reference::ReadingKey key, const Number& length);
