@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
 #include <thread>
 
@@ -76,10 +76,8 @@ void check_whole_rounds(const HuntWords& words) {
 void check_shards(const HuntWords& words, std::size_t machines, std::size_t shards) {
   for (const std::string& folder : hunt::shards_of(words.campaign)) {
     const std::string name = std::filesystem::path(folder).filename().string();
-    const std::size_t of = name.rfind("-of-");
-    const std::size_t there =
-        of == std::string::npos ? 0 : std::strtoul(name.c_str() + of + 4, nullptr, 10);
-    if (there == 0 || there == shards) continue;
+    std::size_t there = 0;
+    if (std::sscanf(name.c_str(), "shard-%*u-of-%zu", &there) != 1 || there == shards) continue;
     const std::string jobs =
         there % machines == 0 ? fmt::format(": give --jobs {}", there / machines) : std::string();
     throw UsageError(fmt::format("The hunt in {} has {}, not {}{}.", words.campaign,

@@ -5,10 +5,9 @@ namespace gonogo::expanders::ngc {
 namespace {
 
 // In counts of the number as it is written, by the outcomes of ngc.whole. A G code is whole in
-// tenths: as it is written, its limit is a tenth. The last outcome, grbl's, has no limit but for
-// turns.
-constexpr Fixed kCodeLimits[] = {0, kOne / 100'000, kOne / 10'000, 0};
-constexpr Fixed kFunctionLimits[] = {0, kOne / 10'000, kOne / 10'000, 0};
+// tenths: as it is written, its limit is a tenth. For grbl codes and functions have another rule.
+constexpr Fixed kCodeLimits[] = {0, kOne / 100'000, kOne / 10'000};
+constexpr Fixed kFunctionLimits[] = {0, kOne / 10'000, kOne / 10'000};
 constexpr Fixed kTurnLimits[] = {0, kOne / 10'000, kOne / 1'000, 0};
 
 // The number lies `rest` counts beside a whole step, to the nearest count. Tells whether what was
@@ -22,7 +21,7 @@ bool lies_beyond(const Decimal& number, Fixed rest) {
 
 }  // namespace
 
-std::optional<Fixed> WholeNumbers::hundredths(const Decimal& number) {
+std::optional<Fixed> WholeNumbers::cut_steps(const Decimal& number, Fixed hundredths) {
   if (number.overflow) return std::nullopt;
   const Fixed whole = number.value / kOne;
   const Fixed rest = number.value % kOne;
@@ -33,24 +32,19 @@ std::optional<Fixed> WholeNumbers::hundredths(const Decimal& number) {
   const bool is_less = beyond == kOne && number.finer && number.rounded_up;
   if (beyond >= kOne && !is_less) ++rounded;
   if (rounded == 100) return std::nullopt;  // more than any code has
-  return whole * 100 + (number.value < 0 ? -rounded : rounded);
+  const Fixed all = whole * 100 + (number.value < 0 ? -rounded : rounded);
+  return all % hundredths == 0 ? std::optional(all / hundredths) : std::nullopt;
 }
 
 std::optional<Fixed> WholeNumbers::tenths(const Decimal& code) const {
-  if (reading_ == kGrbl) {
-    const std::optional<Fixed> parts = hundredths(code);
-    return parts && *parts % 10 == 0 ? std::optional(*parts / 10) : std::nullopt;
-  }
+  if (reading_ == kGrbl) return cut_steps(code, 10);
   const Fixed limit =
       faults_.alters("code-limit-unscaled"_fault, kCodeLimits[reading_], kFunctionLimits[reading_]);
   return steps(code, kOne / 10, limit);
 }
 
 std::optional<Fixed> WholeNumbers::function(const Decimal& number) const {
-  if (reading_ == kGrbl) {
-    const std::optional<Fixed> parts = hundredths(number);
-    return parts && *parts % 100 == 0 ? std::optional(*parts / 100) : std::nullopt;
-  }
+  if (reading_ == kGrbl) return cut_steps(number, 100);
   return steps(number, kOne, kFunctionLimits[reading_]);
 }
 

@@ -25,8 +25,9 @@ class WholeNumbers {
 
  private:
   std::optional<Fixed> steps(const Decimal& number, Fixed step, Fixed limit) const;
-  // The number in hundredths, as grbl counts them: whole ones cut, the rest rounded.
-  static std::optional<Fixed> hundredths(const Decimal& number);
+  // The same as grbl has it: cut at the point, and what is behind it rounded to hundredths, of
+  // which a step has so many.
+  static std::optional<Fixed> cut_steps(const Decimal& number, Fixed hundredths);
 
   Option reading_;
   const Faults& faults_;

@@ -128,8 +128,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     refused_by_some(
         {"HNC-MOD-05", open, kSimple,
          "The same code again is no change of command. A code without an axis word stores its "
-         "words "
-         "and moves nothing. Y and V are not words of a lathe. G18 is the only plane; G40, "
+         "words and moves nothing. Y and V are not words of a lathe. G18 is the only plane; G40, "
          "G96 and G97 have no effect. No text says so; our judgement.",
          "reference/hnc21t/interpreter.cpp"},
         "missing-word"),

@@ -49,8 +49,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     {"NGC-ARC-03", must, kArcs,
      "The radii at start and end may differ by the tolerance; within it the centre stays where it "
      "is programmed, and the radius is linear in the angle. A radius of zero, for LinuxCNC one "
-     "below "
-     "0.00127 mm, is an alarm of its own.",
+     "below 0.00127 mm, is an alarm of its own.",
      "reference/rs274/arc.cpp"},
     {"NGC-ARC-04", must, kArcs,
      "Radius form: R above zero is an arc of at most half a turn, below zero of more. The end "
@@ -107,8 +106,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     {"NGC-COM-09", must, kBlocks,
      "The speed S is not below zero; the tool T is a whole number that is not below zero either, "
      "nor Q of M61. M62 to M65 need P, M67 and M68 E; M66 needs P or E, and with L, which goes "
-     "with P "
-     "alone, a time Q above zero.",
+     "with P alone, a time Q above zero.",
      "reference/rs274/m_functions.cpp"},
     {"NGC-COM-10", must, kOverview,
      "The last comment in brackets of a line may say something: (abort,...) ends the program with "

@@ -36,7 +36,7 @@ namespace {
 
 // HNC-MOD-05. Other makers write some of these cycles in two lines, the first of them without an
 // end.
-void run_without_travel(const BlockContext& block) {
+void note_no_travel(const BlockContext& block) {
   if (block.codes.motion < 0 || block.words.block().words.size() < 2) return;
   const auto is_of_cycle = [](const grammar::Word& word) {
     return std::string_view("GFMSTN").find(word.address) == std::string_view::npos;
@@ -54,7 +54,7 @@ void run_without_travel(const BlockContext& block) {
 
 bool does_nothing(const BlockContext& block, std::span<const AxisAddresses> needed) {
   if (!block.words.has_axis_word()) {
-    run_without_travel(block);
+    note_no_travel(block);
     return true;
   }
   const auto lacks = [&](const AxisAddresses& axis) { return !block.words.has(axis); };

@@ -40,14 +40,18 @@ TEST(Signature, NamesClauseRecordsAndCode) {
             "fail.geometry GSK-G94-02 rapid/rapid Z in G94");
 }
 
+oracle::Verdict departure(const char* want, const char* got) {
+  oracle::Verdict verdict;
+  verdict.kind = oracle::VerdictKind::fail_geometry;
+  verdict.want = want;
+  verdict.got = got;
+  return verdict;
+}
+
 // A mistake along one axis does not stand for one along another.
 TEST(Signature, NamesTheFirstAxisAlongWhichMotionsOfOneKindEndApart) {
   const auto what = [](const char* want, const char* got) {
-    oracle::Verdict verdict;
-    verdict.kind = oracle::VerdictKind::fail_geometry;
-    verdict.want = want;
-    verdict.got = got;
-    return signature_of(verdict, {{}, "G0\n"}).what;
+    return signature_of(departure(want, got), gsk("G0\n")).what;
   };
   const char* const want = R"({"k":"rapid","to":{"y":"25.4","z":"1"}})";
   EXPECT_EQ(what(want, R"({"k":"rapid","to":{"x":"0","y":"50.8","z":"1"}})"), "rapid/rapid Y");
@@ -59,22 +63,13 @@ TEST(Signature, NamesTheFirstAxisAlongWhichMotionsOfOneKindEndApart) {
 
 // G4 stands beside a cycle that goes on: the cycle is what moves.
 TEST(Signature, NamesTheMotionBesideADwell) {
-  oracle::Verdict verdict;
-  verdict.kind = oracle::VerdictKind::fail_geometry;
+  oracle::Verdict verdict = departure("", "");
   verdict.block = 2;
   generate::GeneratedProgram program{{}, "G81 X1 Z-1 R1 F100\nG4 P1 X2\nG4 P1\n"};
   program.profile.dialect = "rs274";
   EXPECT_EQ(signature_of(verdict, program).code, "G81");
   verdict.block = 3;
   EXPECT_EQ(signature_of(verdict, program).code, "G4");
-}
-
-oracle::Verdict departure(const char* want, const char* got) {
-  oracle::Verdict verdict;
-  verdict.kind = oracle::VerdictKind::fail_geometry;
-  verdict.want = want;
-  verdict.got = got;
-  return verdict;
 }
 
 TEST(Signature, SaysThatTheSubjectIsStillInAnEarlierBlock) {
