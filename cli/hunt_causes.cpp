@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cli/causes.hpp"
+#include "cli/hunt_words.hpp"
 #include "cli/mapped_subject.hpp"
 #include "fuzz/hunt/campaign_page.hpp"
 #include "fuzz/hunt/finding_files.hpp"
@@ -167,7 +168,9 @@ hunt::HuntSummary tell_campaign(const std::string& folder, const TrialWords& wor
   hunt::HuntSummary summary = hunt::summarize_campaign(folder);
   group_findings(summary, causes_of(folder, words, summary));
   write_campaign_summary(folder, summary);
-  write_campaign_page(folder, summary);
+  write_campaign_page(
+      {folder, [&](const std::string& finding) { return reduce_command(finding, words); }},
+      summary);
   return summary;
 }
 

@@ -8,7 +8,6 @@
 #include "cli/called_files.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/judged_sheet.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
@@ -18,9 +17,11 @@
 #include "cli/times_text.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
+#include "fuzz/hunt/judged_sheet.hpp"
 #include "fuzz/hunt/trial.hpp"
 #include "fuzz/program/in_force.hpp"
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/records/output_file.hpp"
 #include "oracle/records/text.hpp"
 #include "oracle/relation/definition.hpp"
 #include "publish/report/command.hpp"
@@ -185,9 +186,11 @@ std::string told(const JudgeOptions& options, const reference::Profile& profile,
 }
 
 void draw(const JudgeOptions& options, const reference::Profile& profile, std::string program,
-          const oracle::Verdict& verdict, std::vector<reference::Record> records) {
-  write_judged_sheet(options.sheet,
-                     {profile, options.program, std::move(program), verdict, std::move(records)});
+          const oracle::Verdict& verdict, const std::vector<reference::Record>& records) {
+  const hunt::JudgedSheet sheet =
+      hunt::judged_sheet({profile, options.program, std::move(program), verdict, records});
+  if (sheet.svg.empty()) throw UsageError("--sheet: " + sheet.note);
+  oracle::write_file(options.sheet, sheet.svg);
 }
 
 // The first records of a trace, as many as a drawing shows.

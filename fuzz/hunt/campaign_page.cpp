@@ -10,12 +10,10 @@
 #include "fuzz/hunt/finding_files.hpp"
 #include "oracle/records/finding_text.hpp"
 #include "oracle/records/output_file.hpp"
-#include "publish/report/case_paths.hpp"
 #include "publish/report/clauses.hpp"
 #include "publish/report/escape.hpp"
 #include "publish/report/figure.hpp"
 #include "publish/report/page_parts.hpp"
-#include "publish/report/sheet.hpp"
 
 namespace gonogo::hunt {
 namespace {
@@ -117,29 +115,16 @@ std::string symptoms_table(const CampaignFinding& finding, std::size_t number) {
                heads({"departure", "programs", "first seen", "last seen", "finding"}), rows);
 }
 
-report::Json trace_in(const std::filesystem::path& file) {
-  report::Json trace = report::Json::array();
-  const std::string text = oracle::file_text(file.string());
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    trace.push_back(report::Json::parse(text.substr(begin, end - begin)));
-    begin = end + 1;
+// The sheet of the symptom; the clip of a pocket has a name of its own on a page of several.
+std::string sheet_in(const std::filesystem::path& place, std::size_t number) {
+  const std::filesystem::path file = place / "sheet.svg";
+  if (!std::filesystem::exists(file)) return {};
+  std::string svg = oracle::file_text(file.string());
+  for (std::size_t at = 0; (at = svg.find(report::kPocketClip, at)) != std::string::npos;) {
+    at += report::kPocketClip.size();
+    svg.insert(at, fmt::format("-{}", number));
   }
-  return trace;
-}
-
-std::string figure_of(const generate::GeneratedProgram& program, const report::Json& trace) {
-  const report::DrawnPath wanted = report::reference_path(program.profile, program.text);
-  const report::DrawnPath got = report::subject_path(program.profile.initial.at, trace);
-  report::Figure figure;
-  figure.title = "Reference and subject";
-  figure.lathe = report::is_lathe(program.profile.dialect);
-  figure.path = &wanted.path;
-  figure.path_name = "reference";
-  figure.other = &got.path;
-  figure.other_name = "subject";
-  const std::string svg = report::svg_figure(figure);
-  return svg.empty() ? svg : "<div class=\"figure\">" + svg + "</div>\n";
+  return "<div class=\"figure\">" + svg + "</div>\n";
 }
 
 std::string program_lines(const std::string& program) {
@@ -154,9 +139,11 @@ std::string program_lines(const std::string& program) {
   return "<pre>" + lines + "</pre>\n";
 }
 
-// The program of the symptom, reduced, what was said of it, and the two paths.
-std::string example(const std::string& folder, const Symptom& symptom, const std::string& dialect) {
-  const std::filesystem::path place = std::filesystem::path(folder) / symptom.folder;
+// The program of the symptom, reduced, what was said of it, how to see it again, and the two paths.
+std::string example(const PageFolder& folder, const CampaignFinding& finding,
+                    const std::string& dialect, std::size_t number) {
+  const Symptom& symptom = finding.symptoms.front();
+  const std::filesystem::path place = std::filesystem::path(folder.path) / symptom.folder;
   try {
     const Reproducer reproducer = read_reproducer(place.string(), dialect);
     std::string text = program_lines(reproducer.program.text);
@@ -171,13 +158,17 @@ std::string example(const std::string& folder, const Symptom& symptom, const std
     }
     text += fmt::format("<details><summary>What the judge says</summary>{}</details>\n",
                         program_lines(oracle::file_text((place / "verdict.txt").string())));
-    return text + figure_of(reproducer.program, trace_in(place / "trace.jsonl"));
+    if (reproducer.before.empty()) {
+      text += fmt::format("<p class=\"note\">again: <code class=\"again\">{}</code></p>\n",
+                          markup_text(folder.again(place.string())));
+    }
+    return text + sheet_in(place, number);
   } catch (const std::exception& error) {
     return fmt::format("<p class=\"note\">{}</p>\n", markup_text(error.what()));
   }
 }
 
-std::string finding_section(const std::string& folder, const HuntSummary& summary,
+std::string finding_section(const PageFolder& folder, const HuntSummary& summary,
                             const CampaignFinding& finding, std::size_t number) {
   std::string text = fmt::format("<p class=\"cause\">{}</p>\n", markup_text(cause_text(finding)));
   text += symptoms_table(finding, number);
@@ -187,7 +178,7 @@ std::string finding_section(const std::string& folder, const HuntSummary& summar
                         markup_text(known->text));
   }
   text += "<h3>The first symptom, reduced</h3>\n";
-  text += example(folder, finding.symptoms.front(), summary.dialect);
+  text += example(folder, finding, summary.dialect, number);
   return section(fmt::format("finding-{}", number),
                  fmt::format("Finding {}: {}, {}{}", number, symptoms_text(finding),
                              markup_text(clauses_text(finding)),
@@ -197,7 +188,7 @@ std::string finding_section(const std::string& folder, const HuntSummary& summar
 
 }  // namespace
 
-std::string campaign_page(const std::string& folder, const HuntSummary& summary) {
+std::string campaign_page(const PageFolder& folder, const HuntSummary& summary) {
   const std::string title = markup_text(summary.subject + ", " + summary.dialect);
   std::string out = report::page_head("Hunt: " + title, kOwnStyle, nullptr);
   out += fmt::format(
@@ -216,8 +207,9 @@ std::string campaign_page(const std::string& folder, const HuntSummary& summary)
          "elsewhere.</footer>\n</body>\n</html>\n";
 }
 
-void write_campaign_page(const std::string& folder, const HuntSummary& summary) {
-  oracle::write_file(std::filesystem::path(folder) / "index.html", campaign_page(folder, summary));
+void write_campaign_page(const PageFolder& folder, const HuntSummary& summary) {
+  oracle::write_file(std::filesystem::path(folder.path) / "index.html",
+                     campaign_page(folder, summary));
 }
 
 }  // namespace gonogo::hunt

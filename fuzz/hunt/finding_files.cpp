@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "corpus/io/recheck.hpp"
+#include "fuzz/hunt/judged_sheet.hpp"
 #include "fuzz/hunt/program_files.hpp"
 #include "fuzz/hunt/program_vector.hpp"
 #include "fuzz/program/in_force.hpp"
@@ -68,6 +69,9 @@ void write_beside(const fs::path& folder, const Finding& finding, const JudgedRu
   oracle::write_file(folder / "profile.json", oracle::profile_text(test.profile));
   oracle::write_file(folder / "trace.jsonl", trace_of(judged));
   oracle::write_file(folder / "verdict.txt", verdict_text(finding, test));
+  const JudgedSheet sheet =
+      judged_sheet({test.profile, test.id, test.program, finding.verdict, judged.records});
+  if (!sheet.svg.empty()) oracle::write_file(folder / "sheet.svg", sheet.svg);
   for (std::size_t i = 0; i < finding.reproducer.before.size(); ++i) {
     const generate::GeneratedProgram& before = finding.reproducer.before[i];
     oracle::write_file(folder / fmt::format("before-{}.nc", i + 1), before.text);

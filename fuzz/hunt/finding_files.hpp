@@ -3,8 +3,8 @@
 // Findings as files: a folder that is a corpus itself, so that `gonogo certify --corpus` runs it
 // again, with each finding's program, machine, trace and verdict beside its vector.
 //   DIR/manifest.json, DIR/vectors/DIALECT/ID.json
-//   DIR/findings/ID/program.nc, profile.json, trace.jsonl, verdict.txt, before-1.nc, before-1.json,
-//   ...
+//   DIR/findings/ID/program.nc, profile.json, trace.jsonl, verdict.txt, sheet.svg,
+//   before-1.nc, before-1.json, ...
 #pragma once
 
 #include "fuzz/hunt/hunt.hpp"

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "publish/report/path.hpp"
@@ -47,6 +48,9 @@ inline constexpr std::size_t kMostNumbered = 16;
 // The numbers that the motions of a path have in its figure, 0 for what does not move; all 0 where
 // there are too many.
 std::vector<std::size_t> motion_numbers(const Path& path);
+
+// What the sheet of a pocket names in its document: a page of several gives each its own.
+inline constexpr std::string_view kPocketClip = "gs-pocket";
 
 // A well-formed SVG document; empty when no linear axis moves.
 std::string svg_figure(const Figure& figure);

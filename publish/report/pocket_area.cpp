@@ -125,7 +125,7 @@ void append_pocket_area(std::string& out, const View& view, const Limit& border,
   std::string wall;
   svg::append_subpath(wall, view, border.points);
   const std::string width = svg::number(2 * level.tool_radius * view.scale);
-  out += fmt::format("<clipPath id=\"gs-pocket\"><path d=\"{}Z\"/></clipPath>\n", wall);
+  out += fmt::format("<clipPath id=\"{}\"><path d=\"{}Z\"/></clipPath>\n", kPocketClip, wall);
   if (!tool.empty()) {
     out += fmt::format("<path class=\"gs-swept gs-gouged\" stroke-width=\"{}\" d=\"{}\"/>\n", width,
                        tool);
@@ -133,9 +133,9 @@ void append_pocket_area(std::string& out, const View& view, const Limit& border,
   out += fmt::format("<path class=\"gs-uncut\" d=\"{}Z\"/>\n", wall);
   if (!tool.empty()) {
     out += fmt::format(
-        "<g clip-path=\"url(#gs-pocket)\"><path class=\"gs-swept gs-cut\" stroke-width=\"{}\" "
+        "<g clip-path=\"url(#{})\"><path class=\"gs-swept gs-cut\" stroke-width=\"{}\" "
         "d=\"{}\"/></g>\n",
-        width, tool);
+        kPocketClip, width, tool);
   }
 }
 

@@ -93,13 +93,15 @@ test('the numbers are those of the campaign', () => withPage(async (page) => {
   assert.deepEqual((await arc.locator('td').allInnerTexts()).map(Number), [judged, departed, skipped]);
 }));
 
-test('the reduced program stands there with both paths, and what the judge says can be opened', () => withPage(async (page) => {
+test('the reduced program stands there with its sheet and its command, and what the judge says can be opened', () => withPage(async (page) => {
   const face = told.findings[0].faces[0];
   const program = readFileSync(join(work, 'night', face.folder, 'program.nc'), 'utf8');
   const shown = await page.locator('#finding-1 > pre .line').allInnerTexts();
   assert.deepEqual(shown.map((line) => line.trimEnd()), program.replace(/\n$/, '').split('\n').map((line) => line.trimEnd()));
   assert.equal(await page.locator('#finding-1 .figure svg').count(), 1);
   assert.ok((await page.locator('#finding-1 .figure').boundingBox()).height > 100);
+  assert.ok(await page.locator('#finding-1 .figure .gs-witness').count() > 0);
+  assert.match(await page.locator('#finding-1 .again').innerText(), /gonogo reduce \S*program\.nc --subject /);
   assert.equal(await page.locator('#finding-1 details pre').isVisible(), false);
   await page.locator('#finding-1 summary').click();
   assert.match(await page.locator('#finding-1 details pre').innerText(), new RegExp(face.verdict.replace('.', '\\.')));

@@ -68,6 +68,8 @@ TEST_F(FindingFiles, LieBesideTheVector) {
   EXPECT_EQ(bytes_of(beside / "profile.json"), "{\"dialect\":\"gsk988ta\"}\n");
   EXPECT_NE(bytes_of(beside / "trace.jsonl").find("\"k\":\"rapid\""), std::string::npos);
   EXPECT_NE(bytes_of(beside / "verdict.txt").find("fail.geometry GSK-G94-02"), std::string::npos);
+  // The sheet marks where the two part.
+  EXPECT_NE(bytes_of(beside / "sheet.svg").find("gs-witness"), std::string::npos);
 }
 
 TEST_F(FindingFiles, OfTheSameProgramHaveTheSameId) {

@@ -212,7 +212,8 @@ TEST_F(HuntSummaries, TheEvidenceIsThatOfASymptomThatStands) {
 
 TEST_F(HuntSummaries, ThePageShowsWhatASubjectIsCalledAsText) {
   write_shard("shard-1-of-1", {kFirst});
-  const std::string page = campaign_page(folder(), summarize_campaign(folder()));
+  const PageFolder in{folder(), [](const std::string& finding) { return "see " + finding; }};
+  const std::string page = campaign_page(in, summarize_campaign(folder()));
   EXPECT_NE(page.find("&lt;b&gt;acme"), std::string::npos);
   EXPECT_EQ(page.find("<b>acme"), std::string::npos);
   // Its program is not there: that is said in its place.

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/judged_sheet.hpp"
-
-#include <fmt/format.h>
+#include "fuzz/hunt/judged_sheet.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include "campaign/encoding.hpp"
 #include "campaign/results.hpp"
-#include "cli/program_file.hpp"
-#include "oracle/records/output_file.hpp"
 #include "oracle/steps/step_text.hpp"
 #include "publish/report/case_detail.hpp"
 
-namespace gonogo::cli {
+namespace gonogo::hunt {
 
-void write_judged_sheet(const std::string& path, const JudgedProgram& judged) {
+JudgedSheet judged_sheet(const JudgedProgram& judged) {
   oracle::CaseResult result;
   result.id = judged.name;
   result.dialect = judged.profile.dialect;
@@ -28,11 +24,9 @@ void write_judged_sheet(const std::string& path, const JudgedProgram& judged) {
     line["trace"].push_back(nlohmann::ordered_json::parse(oracle::record_text(record)));
   }
   const nlohmann::ordered_json detail = oracle::report::case_detail(line, "", true);
-  const std::string drawing = detail.value("svg", std::string());
-  if (drawing.empty()) {
-    throw UsageError(fmt::format("--sheet: {}", detail.value("note", "There is nothing to draw.")));
-  }
-  oracle::write_file(path, drawing);
+  JudgedSheet sheet{detail.value("svg", std::string()), {}};
+  if (sheet.svg.empty()) sheet.note = detail.value("note", "There is nothing to draw.");
+  return sheet;
 }
 
-}  // namespace gonogo::cli
+}  // namespace gonogo::hunt
