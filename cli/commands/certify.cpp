@@ -360,15 +360,21 @@ void check_vectors(const CertifyOptions& options) {
   }
 }
 
-// A cycle that the corpus has not selects nothing, and says so before anything runs.
-void check_cycles(const CertifyOptions& options, const oracle::Corpus& corpus) {
-  if (options.cycles.empty()) return;
+// Of the dialects that are judged.
+std::set<std::string> cycles_of(const CertifyOptions& options, const oracle::Corpus& corpus) {
   std::set<std::string> known;
   oracle::CaseReader reader(corpus, oracle::Detail::to_run);
   while (const auto test = reader.next()) {
     if (options.dialects.empty() || std::ranges::count(options.dialects, test->dialect) > 0)
       known.insert(test->cycle);
   }
+  return known;
+}
+
+// A cycle that the corpus has not selects nothing, and says so before anything runs.
+void check_cycles(const CertifyOptions& options, const oracle::Corpus& corpus) {
+  if (options.cycles.empty()) return;
+  const std::set<std::string> known = cycles_of(options, corpus);
   for (const std::string& name : options.cycles) {
     if (known.contains(name)) continue;
     const std::string near = reference::nearest_word(name, {known.begin(), known.end()});
@@ -420,15 +426,17 @@ Ended run_all(const CertifyOptions& options, const oracle::Corpus& corpus,
   return ended;
 }
 
+std::string none_selected(const oracle::Corpus& corpus) {
+  return fmt::format("No case of the corpus {} is selected. `gonogo corpus list` names the cases.",
+                     corpus.folder());
+}
+
 // A shard may have none, and not all that are named.
 void need_cases(const CampaignSummary& summary, const oracle::CampaignOptions& campaign,
                 const oracle::Corpus& corpus) {
   if (campaign.shards > 1) return;
   if (summary.answer.cases < campaign.cases.size()) check_cases(campaign.cases, corpus);
-  if (summary.answer.cases > 0) return;
-  throw UsageError(
-      fmt::format("No case of the corpus {} is selected. `gonogo corpus list` names the cases.",
-                  corpus.folder()));
+  if (summary.answer.cases == 0) throw UsageError(none_selected(corpus));
 }
 
 // J-RUN-14: a run that names neither a dialect nor a case is of the dialects that the subject
@@ -552,6 +560,35 @@ int certify_each(const CertifyOptions& options, const std::string& report) {
   return exit_code;
 }
 
+// Whether a run of one built-in expander has a case; what it has no cycle of is not asked of it.
+bool take_own_cases(CertifyOptions& own, const oracle::Corpus& corpus) {
+  if (own.shard != "1/1") return true;
+  if (!own.cycles.empty()) {
+    const std::set<std::string> known = cycles_of(own, corpus);
+    std::erase_if(own.cycles, [&](const std::string& name) { return !known.contains(name); });
+    if (own.cycles.empty()) return false;
+  }
+  return oracle::count_cases(corpus, campaign_options(own)) > 0;
+}
+
+// The main job: every built-in expander that has a case, each with its own report.
+int certify_built_in(const CertifyOptions& options, const std::string& report) {
+  const oracle::Corpus corpus(corpus_folder(options.corpus));
+  check_cycles(options, corpus);
+  std::optional<int> exit_code;
+  for (std::string_view name : expanders::names()) {
+    const std::string subject = fmt::format("builtin:{}", name);
+    std::optional<CertifyOptions> own = with_own_dialects(options, subject);
+    if (!own || !take_own_cases(*own, corpus)) continue;
+    own = below(*own, std::string(name));
+    const int one = certify_one(*own, subject, fmt::format("{}/{}", report, name));
+    if (one == kNoGo || exit_code.value_or(kGo) == kGo) exit_code = one;
+  }
+  if (exit_code) return *exit_code;
+  check_cases(options.cases, corpus);
+  throw UsageError(none_selected(corpus));
+}
+
 // What was found of a subject is asked of it again; a command or a library that only a file names
 // is never run.
 std::string subject_of(const oracle::ResultsReader& results, const std::string& path) {
@@ -642,17 +679,7 @@ int certify(const CertifyOptions& asked) {
   const std::string report = report_folder(options);
   if (options.subjects.size() == 1) return certify_one(options, options.subjects.front(), report);
   if (!options.subjects.empty()) return certify_each(options, report);
-  // The main job: every built-in expander, each with its own report.
-  int exit_code = kGo;
-  for (std::string_view name : expanders::names()) {
-    const std::string subject = fmt::format("builtin:{}", name);
-    std::optional<CertifyOptions> own = with_own_dialects(options, subject);
-    if (!own) continue;
-    own = below(*own, std::string(name));
-    const int one = certify_one(*own, subject, fmt::format("{}/{}", report, name));
-    if (one == kNoGo || exit_code == kGo) exit_code = one;
-  }
-  return exit_code;
+  return certify_built_in(options, report);
 }
 
 void add_certify(Command& program) {

@@ -90,6 +90,19 @@ TEST(PocketJudge, AnOffCentrePlungeIsNoGoWithAWitness) {
   EXPECT_FALSE(verdict.witness.empty());
 }
 
+// W-2 Q1: levels at Z9 and Z8. The first is passed without a cut: the second plunge shows it.
+TEST(PocketJudge, ALevelWithoutACutIsLeftByTheNextPlunge) {
+  constexpr std::string_view kTwoLevels =
+      "G17 G00 X40 Y30 Z10\nG110 X1 Y1 W-2 I10 L1 Q1 D4 F100\n";
+  TraceText trace(1, 100);
+  trace.rapid({{'x', 20}, {'y', 30}, {'z', 10}}).block(2, 100);
+  trace.rapid({{'x', 0.5}, {'y', 1}}).feed({{'z', 9}}).feed({{'z', 8}});
+  const Verdict verdict = judge_trace(kTwoLevels, trace.text());
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
+  EXPECT_EQ(verdict.message, "The cut leaves the level's depth.");
+  EXPECT_EQ(verdict.deviation_exact, "1");
+}
+
 // J-PROP-07 leaves such pockets out, but none of these is undecided: two levels a tolerance deep, a
 // circle of twice the tolerance, in whole rings or in pieces, from any side, rounded or not.
 TEST(PocketJudge, ConcentricCirclesOfTheLeastStepAreGo) {

@@ -294,6 +294,15 @@ TEST(CycleTable, counts_every_case_once_and_shows_first_what_fails) {
             5U);
 }
 
+// All cases are of one cycle: the head line has the same numbers.
+TEST(CycleTable, of_one_row_says_nothing_of_how_it_counts) {
+  RunScope scope;
+  CaseHead head = departing("a", "", 1, "", "");
+  head.cycle = "g90";
+  scope.add(head, VerdictKind::pass_exact);
+  EXPECT_EQ(cycle_table(scope).text(20).find("counts"), std::string::npos);
+}
+
 // By gravity a feed of G90 comes behind a path of G94; by cycle it comes before.
 TEST(Findings, are_told_by_gravity_or_by_cycle) {
   Findings findings;
