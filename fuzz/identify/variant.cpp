@@ -7,7 +7,11 @@
 #include <array>
 #include <utility>
 
+#include "reference/dialect.hpp"
+
 namespace gonogo::identify {
+
+using reference::Kind;
 
 void add_model(std::string name, ModelChange change, Variants& out) {
   out.push_back(
@@ -99,17 +103,31 @@ std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& ta
           addresses_with(table, {Role::place})};
 }
 
+namespace {
+
+Motions codes_of(const reference::Descriptor& table, Kind kind) {
+  Motions codes;
+  for (const reference::Code& code : table.codes) {
+    if (code.kind == kind) codes.emplace(code.name);
+  }
+  return codes;
+}
+
+}  // namespace
+
 std::vector<Motions> motions_concerned(const Observation& departure) {
   const ProgramText program(departure.profile, departure.program);
   const reference::Code* const code = program.table->find(program.code_at(departure.verdict.block));
   if (code == nullptr) return {};
   // The same code turned the other way; codes with the same words; cycles of the same modal group;
-  // all threads.
+  // all threads, all cycles.
   std::array<Motions, 5> kin;
   kin[0].emplace(code->name);
+  if (code->kind == Kind::thread || code->kind == Kind::cycle) {
+    kin[4] = codes_of(*program.table, code->kind);
+  }
   for (const reference::Code& other : program.table->codes) {
     if (other.kind != code->kind) continue;
-    if (code->kind == reference::Kind::thread) kin[4].emplace(other.name);
     if (other.sense == 0) continue;
     if (other.feature == code->feature) kin[1].emplace(other.name);
     if (has_same_words(other, *code)) kin[2].emplace(other.name);
@@ -124,6 +142,11 @@ std::vector<Motions> motions_concerned(const Observation& departure) {
 }
 
 std::string names_of(const Motions& motions) {
+  const bool is_all =
+      std::ranges::any_of(reference::dialects(), [&](const reference::Dialect& dialect) {
+        return motions == codes_of(*dialect.descriptor, Kind::cycle);
+      });
+  if (is_all && motions.size() > 1) return "all cycles";
   return fmt::format("{}", fmt::join(motions, " "));
 }
 

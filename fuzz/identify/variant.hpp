@@ -96,7 +96,7 @@ const reference::CodeWord* taper_of(const reference::Code& code);
 std::set<std::string> addresses_in(const ProgramText& program);
 // R105 and similar ones.
 bool is_parameter(const std::string& name);
-// "G110 G111"
+// "G110 G111", or "all cycles" of a dialect.
 std::string names_of(const Motions& motions);
 // Whether the line of this number runs one of the codes.
 bool is_of(const ProgramText& program, std::uint64_t line, const Motions& motions);

@@ -221,7 +221,7 @@ void add_way_variants(const Observation& departure, Variants& out) {
     add_leads(motions, out);
     if (Motions all = with_kin(motions, table); all != motions) add_leads(all, out);
     add_outcome(
-        fmt::format("{} ends where its cut began", names_of(motions)),
+        fmt::format("the end of {} is where its cut began", names_of(motions)),
         [motions](const Observation& seen, KeptOutcome& outcome) {
           take_out_further(seen, outcome, motions);
         },

@@ -246,11 +246,11 @@ TEST(LikelyCause, OfADwellWhoseWordBecomesTheFeed) {
 TEST(LikelyCause, OfACycleThatEndsWhereItsCutBegan) {
   const Attribution drilled =
       attribute_fault("sinumerik", "drill-retract-to-clearance", "s802.lcyc82.000003");
-  EXPECT_EQ(likely_cause(drilled).name, "LCYC82 ends where its cut began")
+  EXPECT_EQ(likely_cause(drilled).name, "the end of LCYC82 is where its cut began")
       << attribution_text(drilled);
   const Attribution milled =
       attribute_fault("sinumerik", "pocket-retract-to-clearance", "s802.lcyc75.000037");
-  EXPECT_EQ(likely_cause(milled).name, "LCYC75 ends where its cut began")
+  EXPECT_EQ(likely_cause(milled).name, "the end of LCYC75 is where its cut began")
       << attribution_text(milled);
 }
 

@@ -8,9 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include "corpus/io/corpus.hpp"
+#include "fuzz/program/text.hpp"
 #include "pools.hpp"
 #include "secret_subject.hpp"
 
@@ -112,6 +114,40 @@ TEST(SharedCauses, TwoFaultsAreTwoCausesAndNoFaceIsOfBoth) {
       EXPECT_EQ(has_arc, cause.name == kAbsolute);
     }
   }
+}
+
+// Dwells of G4 are there, and those of cycles are not.
+class WithoutDwellsOfCycles : public oracle::Subject {
+ public:
+  const oracle::SubjectInfo& info() const override { return inner_->info(); }
+  void configure(const Profile& profile) override { inner_->configure(profile); }
+  oracle::RunEnd run(std::string_view id, std::string_view program,
+                     const oracle::RecordSink& sink) override {
+    static const std::regex kDwell("[gG]0*4($|[^0-9])");
+    const std::vector<program::TextLine> lines = program::lines_of(program);
+    return inner_->run(id, program, [&](const Record& record) {
+      const bool is_dwell = record.kind == reference::RecordKind::dwell;
+      const bool is_written =
+          is_dwell && std::regex_search(line_text(lines.at(record.block - 1)), kDwell);
+      return (is_dwell && !is_written) || sink(record);
+    });
+  }
+  void renew() override { inner_->renew(); }
+
+ private:
+  std::unique_ptr<oracle::Subject> inner_ = builtin("ngc");
+};
+
+TEST(SharedCauses, OneMistakeInAllCyclesIsOneCause) {
+  WithoutDwellsOfCycles subject;
+  Sorted programs = sorted(subject, {"cycles"});
+  // G4 in the block of a cycle: whose dwell it is, the subject does not tell.
+  std::erase_if(programs.others, [](const ProgramAsked& other) {
+    return other.program.find(" G4 ") != std::string::npos;
+  });
+  ASSERT_GT(programs.symptoms.size(), 20U);
+  const SharedCauses found = find_shared_causes(subject, programs.symptoms, programs.others, {});
+  EXPECT_EQ(names(found), std::vector<std::string>{"the dwells of all cycles are left out"});
 }
 
 TEST(SharedCauses, AFaceThatNoMistakeExplainsIsOfNone) {
