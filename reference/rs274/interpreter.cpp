@@ -35,7 +35,7 @@ class Interpreter : public BlockInterpreter {
   // NGC-COM-12
   bool alarms_left_out() const override { return readings_.is("ngc.block-delete=read"_reading); }
   void end_text(const grammar::Span& end, BlockOutput& out) override {
-    check_text_end(end, readings_, out);
+    check_text_end(end, o_words_.skipped_label(), readings_, out);
   }
   const Position& position() const override;
   void stand_at(const Position& position) override;

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grammar/line_source.hpp"
@@ -49,6 +50,11 @@ class OWords {
   bool is_used() const { return is_used_; }
   // Whether lines are skipped now, up to an O word that has not come yet.
   bool skips_lines() const { return wanted_ || defined_ != nullptr; }
+  // The label whose end is looked for while lines are skipped; empty: none are.
+  std::string_view skipped_label() const {
+    if (defined_ != nullptr) return defined_label_;
+    return wanted_ ? std::string_view(wanted_->label) : std::string_view();
+  }
 
  private:
   struct StoredLine {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/program_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <string_view>
+#include <string>
+#include <utility>
 
 #include "reference/clause_literal.hpp"
 #include "reference/reading_literal.hpp"
@@ -80,10 +83,15 @@ void check_abort(const grammar::Block& block, BlockOutput& out) {
 }
 
 // NGC-COM-08
-void check_text_end(const grammar::Span& end, const ReadingsInUse& readings, BlockOutput& out) {
+void check_text_end(const grammar::Span& end, std::string_view skipped,
+                    const ReadingsInUse& readings, BlockOutput& out) {
   if (readings.is("ngc.program-end=free"_reading)) return;
-  out.alarms.push_back({AlarmClass::program_end, "NGC-COM-08"_clause, 0, end,
-                        "A program ends with M2 or M30, or with the second of two % lines."});
+  std::string message = "A program ends with M2 or M30, or with the second of two % lines.";
+  if (!skipped.empty()) {
+    message +=
+        fmt::format(" What ends O{} does not come: all lines behind it were skipped.", skipped);
+  }
+  out.alarms.push_back({AlarmClass::program_end, "NGC-COM-08"_clause, 0, end, std::move(message)});
 }
 
 }  // namespace gonogo::reference::rs274

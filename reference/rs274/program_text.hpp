@@ -4,6 +4,8 @@
 // its end.
 #pragma once
 
+#include <string_view>
+
 #include "reference/expander.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -26,7 +28,9 @@ void check_numbers(const grammar::Block& block, const ReadingsInUse& readings, B
 // NGC-COM-10: an alarm where the last comment in brackets is (abort,...).
 void check_abort(const grammar::Block& block, BlockOutput& out);
 
-// NGC-COM-08: an alarm at the end of a text that does not end the program.
-void check_text_end(const grammar::Span& end, const ReadingsInUse& readings, BlockOutput& out);
+// NGC-COM-08: an alarm at the end of a text that does not end the program. `skipped`: the label of
+// an O word whose end was looked for up to there, or empty.
+void check_text_end(const grammar::Span& end, std::string_view skipped,
+                    const ReadingsInUse& readings, BlockOutput& out);
 
 }  // namespace gonogo::reference::rs274
