@@ -17,29 +17,18 @@ namespace gonogo::oracle::region {
 
 using exact::Number;
 
-// A point of the plane (first and second axis), mm.
+// A point of the plane (first and second axis), mm; also a vector. What the kernel of
+// reference/geometry/ says of it, for code that does without it.
 struct PlanePoint {
   Number p;
   Number q;
 };
-inline PlanePoint operator+(const PlanePoint& a, const PlanePoint& b) {
-  return {a.p + b.p, a.q + b.q};
-}
-inline PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
-  return {a.p - b.p, a.q - b.q};
-}
-inline bool operator==(const PlanePoint& a, const PlanePoint& b) {
-  return a.p == b.p && a.q == b.q;
-}
-inline Number dot(const PlanePoint& a, const PlanePoint& b) {
-  return a.p * b.p + a.q * b.q;
-}
-inline Number cross(const PlanePoint& a, const PlanePoint& b) {
-  return a.p * b.q - a.q * b.p;
-}
-inline Number norm_squared(const PlanePoint& a) {
-  return dot(a, a);
-}
+PlanePoint operator+(const PlanePoint& a, const PlanePoint& b);
+PlanePoint operator-(const PlanePoint& a, const PlanePoint& b);
+bool operator==(const PlanePoint& a, const PlanePoint& b);
+Number dot(const PlanePoint& a, const PlanePoint& b);
+Number cross(const PlanePoint& a, const PlanePoint& b);
+Number norm_squared(const PlanePoint& a);
 
 // One motion of a level, in the plane. An arc whose radii at start and end differ is the curve with
 // the radius linear in the angle.

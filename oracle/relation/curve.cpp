@@ -4,6 +4,8 @@
 #include <map>
 #include <vector>
 
+#include "reference/geometry/kernel.hpp"
+
 namespace gonogo::relation {
 
 using reference::kAllAxes;
@@ -23,25 +25,9 @@ Position minus(const Position& a, const Position& b) {
   return difference;
 }
 
-// The linear axes.
+// Along the linear axes.
 Number dot(const Position& a, const Position& b) {
-  Number sum;
-  for (const Axis axis : kLinearAxes) sum += a[axis] * b[axis];
-  return sum;
-}
-
-Position cross(const Position& a, const Position& b) {
-  Position product;
-  product[Axis::x] = a[Axis::y] * b[Axis::z] - a[Axis::z] * b[Axis::y];
-  product[Axis::y] = a[Axis::z] * b[Axis::x] - a[Axis::x] * b[Axis::z];
-  product[Axis::z] = a[Axis::x] * b[Axis::y] - a[Axis::y] * b[Axis::x];
-  return product;
-}
-
-Position sum_of(const Number& k, const Position& a, const Number& l, const Position& b) {
-  Position sum;
-  for (const Axis axis : kLinearAxes) sum[axis] = k * a[axis] + l * b[axis];
-  return sum;
+  return CGAL::scalar_product(geometry::vector_of(a), geometry::vector_of(b));
 }
 
 Number length_of(const Position& vector) {
@@ -101,19 +87,19 @@ std::optional<Turning> turning_of_arc(const Record& arc, const Position& from, c
 // Nothing where the three points lie in line.
 std::optional<Turning> turning_of_circle(const Position& from, const Position& via,
                                          const Position& to) {
-  const Position a = minus(via, from);
-  const Position b = minus(to, from);
-  const Position normal = cross(a, b);
-  const Number area_2 = dot(normal, normal);
-  if (area_2 <= kOneNumber * kOneNumber) return std::nullopt;
+  const auto place = [](const Position& at) { return geometry::ORIGIN + geometry::vector_of(at); };
+  const geometry::Vector_3 normal =
+      CGAL::cross_product(place(via) - place(from), place(to) - place(from));
+  if (normal.squared_length() <= kOneNumber * kOneNumber) return std::nullopt;
+  const geometry::Point_3 centre = CGAL::circumcenter(place(from), place(via), place(to));
+  const geometry::Vector_3 start = place(from) - centre;
+  const Position middle = geometry::position_of(centre - geometry::ORIGIN);
   Turning turning;
   turning.centre = from;
-  const Position offset = sum_of(dot(b, b), cross(normal, a), dot(a, a), cross(b, normal));
-  for (const Axis axis : kLinearAxes) turning.centre[axis] += offset[axis] / (area_2 * 2);
-  turning.u = minus(from, turning.centre);
-  turning.w = cross(normal, turning.u);
-  const Number length = length_of(normal);
-  for (const Axis axis : kLinearAxes) turning.w[axis] = turning.w[axis] / length;
+  for (const Axis axis : kLinearAxes) turning.centre[axis] = middle[axis];
+  turning.u = geometry::position_of(start);
+  turning.w = geometry::position_of(CGAL::cross_product(normal, start) /
+                                    length_of(geometry::position_of(normal)));
   turning.degrees = degrees_to(turning.u, turning.w, minus(to, turning.centre));
   lead_to(turning, from, to);
   return turning;

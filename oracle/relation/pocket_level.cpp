@@ -103,9 +103,7 @@ class LevelConditions {
     if (piece.source().kind != RecordKind::feed) return false;
     const Offset from = offset_of(rational_near(piece.start));
     const Offset to = offset_of(rational_near(end_of(piece.source(), piece.start)));
-    const Offset way{to.p - from.p, to.q - from.q};
-    return way.square() > step_ * step_ ||
-           abs(from.p * to.q - from.q * to.p) > from.p * to.p + from.q * to.q;
+    return (to - from).square() > step_ * step_ || abs(across(from, to)) > along(from, to);
   }
   Offset offset_of(const Position& place) const {
     return {place[axes_.p] - middle_.p, place[axes_.q] - middle_.q};

@@ -230,7 +230,7 @@ class MillingConditions {
     const Offset from = offset_of(piece.from);
     const Offset to = offset_of(piece.to);
     const Number way = max(abs(to.p - from.p), abs(to.q - from.q));
-    const bool is_back = ((from.p * to.q - from.q * to.p) * pocket_.sense).sign() < 0;
+    const bool is_back = across(from, to).sign() * pocket_.sense < 0;
     back_ = is_back ? back_ + way : max(back_ - way, 0);
     return back_ > min(tool_, half) / 4;
   }

@@ -186,14 +186,14 @@ class ThreadPasses : private ThreadSite {
       if (!is_on(to, radius, slack_.round(piece.width) + tolerances_.chord)) {
         return breaks(i, "The helix has another radius.");
       }
-      const Number along = last.p * to.p + last.q * to.q;
-      const Number across = (last.p * to.q - last.q * to.p) * thread_.sense;
+      const Number ahead = along(last, to);
+      const Number onward = across(last, to) * thread_.sense;
       // Rounding may lead back by less than it is.
-      const bool leads_back = across.sign() < 0;
-      if (leads_back && -across > tolerances_.tolerance * radius) {
+      const bool leads_back = onward.sign() < 0;
+      if (leads_back && -onward > tolerances_.tolerance * radius) {
         return breaks(i, "The helix turns the other way.");
       }
-      swept += leads_back ? -degrees_of(along, -across) : degrees_of(along, across);
+      swept += leads_back ? -degrees_of(ahead, -onward) : degrees_of(ahead, onward);
       last = to;
       place = piece.to;
       const Number fallen = (top_ - piece.to[axes_.d]) * up_;

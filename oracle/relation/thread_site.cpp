@@ -18,14 +18,7 @@ bool leads_beyond(const Offset& from, const Offset& to, const Number& radius) {
   return radius.sign() < 0 || max(from.square(), to.square()) > radius * radius;
 }
 bool leads_within(const Offset& from, const Offset& to, const Number& radius) {
-  if (radius.sign() <= 0) return false;
-  const Offset way{to.p - from.p, to.q - from.q};
-  const Number along = -(way.p * from.p + way.q * from.q);
-  const Number length_2 = way.square();
-  if (along.sign() <= 0) return from.square() < radius * radius;
-  if (along >= length_2) return to.square() < radius * radius;
-  const Number across = way.p * from.q - way.q * from.p;
-  return across * across < radius * radius * length_2;
+  return radius.sign() > 0 && nearest_square(from, to) < radius * radius;
 }
 
 }  // namespace
@@ -98,12 +91,11 @@ bool ThreadSite::is_safe(const Position& place) const {
 }
 
 bool ThreadSite::turns_aside(const Offset& begin, const Offset& from, const Offset& to) const {
-  const Offset first{from.p - begin.p, from.q - begin.q};
-  const Offset all{to.p - begin.p, to.q - begin.q};
+  const Offset first = from - begin;
+  const Offset all = to - begin;
   const Number off = tolerances_.tolerance * 3;
-  const Number across = first.p * all.q - first.q * all.p;
-  const bool goes_back = first.p * (to.p - from.p) + first.q * (to.q - from.q) < -off * off;
-  return goes_back || across * across > off * off * all.square();
+  const Number aside = across(first, all);
+  return along(first, to - from) < -off * off || aside * aside > off * off * all.square();
 }
 
 std::vector<Offset> ThreadSite::ends_of_run_out(const Offset& from) const {

@@ -1,7 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/relation/free_step.hpp"
+#include "reference/geometry/intersections.hpp"
 
 namespace gonogo::relation {
+namespace {
+
+geometry::Vector_2 way(const Offset& offset) {
+  return {offset.p, offset.q};
+}
+
+}  // namespace
+
+Number Offset::square() const {
+  return way(*this).squared_length();
+}
+
+Offset operator-(const Offset& a, const Offset& b) {
+  const geometry::Vector_2 between = way(a) - way(b);
+  return {between.x(), between.y()};
+}
+
+Number along(const Offset& a, const Offset& b) {
+  return CGAL::scalar_product(way(a), way(b));
+}
+
+Number across(const Offset& a, const Offset& b) {
+  return CGAL::determinant(way(a), way(b));
+}
+
+Number nearest_square(const Offset& from, const Offset& to) {
+  using geometry::ORIGIN;
+  return CGAL::squared_distance(geometry::Point_2(ORIGIN),
+                                geometry::Segment_2(ORIGIN + way(from), ORIGIN + way(to)));
+}
 
 int Winding::quarter_of(const Offset& offset) {
   if (offset.q.sign() >= 0) return offset.p.sign() > 0 ? 0 : 1;
@@ -14,7 +45,7 @@ void Winding::take(const Offset& to) {
     int steps = (quarter_of(to) - quarter_of(*last_) + 4) % 4;
     if (steps == 3) steps = -1;
     // Across the middle, on the side that the line passes it.
-    if (steps == 2) steps = 2 * (last_->p * to.q - last_->q * to.p).sign();
+    if (steps == 2) steps = 2 * across(*last_, to).sign();
     quarters_ += std::int64_t{sense_} * steps;
     most_ = std::max(most_, quarters_);
   }
@@ -48,14 +79,13 @@ int sense_of(const Event& piece, const reference::PlaneAxes& axes) {
   if (piece.label->is_flat) return 0;
   if (motion.kind == reference::RecordKind::arc) return motion.rot < 0 ? -1 : 1;
   if (motion.kind != reference::RecordKind::arc3) return 0;
-  const auto along = [&](const Position& end, const reference::AxisSet& named,
-                         reference::Axis axis) {
-    return named.has(axis) ? rational_near(end[axis] - piece.start[axis]) : Number(0);
+  const auto offset = [&](const Position& end, const reference::AxisSet& named) {
+    const auto to = [&](reference::Axis axis) {
+      return named.has(axis) ? rational_near(end[axis] - piece.start[axis]) : Number(0);
+    };
+    return Offset{to(axes.p), to(axes.q)};
   };
-  const auto [p, q] = std::pair(axes.p, axes.q);
-  const Number across = along(motion.via, motion.via_axes, p) * along(motion.to, motion.axes, q) -
-                        along(motion.via, motion.via_axes, q) * along(motion.to, motion.axes, p);
-  return across.sign();
+  return across(offset(motion.via, motion.via_axes), offset(motion.to, motion.axes)).sign();
 }
 
 }  // namespace gonogo::relation

@@ -9,12 +9,17 @@
 
 namespace gonogo::relation {
 
-// From a middle, along p and q.
+// From a middle, along p and q. What the kernel of reference/geometry/ says of it.
 struct Offset {
   Number p;
   Number q;
-  Number square() const { return p * p + q * q; }
+  Number square() const;
 };
+Offset operator-(const Offset& a, const Offset& b);
+Number along(const Offset& a, const Offset& b);   // their scalar product
+Number across(const Offset& a, const Offset& b);  // > 0: b lies counterclockwise of a
+// The square of the way from the middle to the nearest point of the line between the two.
+Number nearest_square(const Offset& from, const Offset& to);
 
 // In quarters of a turn, and how far it has gone back.
 class Winding {
