@@ -32,6 +32,23 @@ step() {
   printf '\n== %s (%d:%02d)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60))
 }
 
+# beside NAME COMMAND...: begins what a later step will `take`, on what the steps before it leave of the processors.
+beside() {
+  nice -n 19 "${@:2}" >"$times/$1.log" 2>&1 &
+  beside_ids[$1]=$!
+}
+declare -A beside_ids=()
+trap 'for id in "${beside_ids[@]}"; do kill "$id" 2>/dev/null || true; done' EXIT
+
+# take NAME: waits for it, prints what it said, and answers as it did.
+take() {
+  local answer=0
+  wait "${beside_ids[$1]}" || answer=$?
+  unset "beside_ids[$1]"
+  cat "$times/$1.log"
+  return $answer
+}
+
 # Ends the last step and prints the table.
 end_steps() {
   end_step
