@@ -71,6 +71,7 @@ void NgcWriter::level_words(Words& words, bool first) {
 
 // At least one word of an axis, without which nothing is drilled.
 void NgcWriter::place_words(Words& words, std::int64_t holes) {
+  if (is_polar_) return polar_words(words);
   const auto [p, q, third] = plane_axes();
   const auto put_place = [&](Axis axis) {
     std::int64_t value = any_sign(length(20));

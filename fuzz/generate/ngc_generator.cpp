@@ -91,6 +91,7 @@ void NgcWriter::make_block() {
   if (kind < 15) return cycle_block();
   if (kind < 16) return synchronous_block();
   if (kind < 17) return threading_block();
+  if (kind == 19 && choices_.one_in(3)) return further_modes();
   mode_block();
 }
 

@@ -32,6 +32,7 @@ std::string NgcWriter::travel_word(Axis axis, std::int64_t value) {
 }
 
 void NgcWriter::enter(Words& words, int motion) {
+  if (!mode_to_enter_.empty()) words.push_back(std::exchange(mode_to_enter_, {}));
   has_code_ = motion != motion_ || choices_.one_in(3);
   if (has_code_) words.push_back(code(motion));
   count(fmt::format("G{} {}", motion, motion == motion_ ? "repeated" : "entry"));
@@ -39,6 +40,10 @@ void NgcWriter::enter(Words& words, int motion) {
 }
 
 void NgcWriter::feed_words(Words& words) {
+  if (inverse_time_) {
+    if (!errs(12)) words.push_back(feed_word());
+    return;
+  }
   if (choices_.one_in(5)) words.push_back(errs(20) ? "F0" : feed_word());
   if (!choices_.one_in(16)) return;
   const std::string function = choices_.pick({"M3", "M9", "M0", "M60"});
@@ -161,7 +166,7 @@ std::string NgcWriter::head() {
 std::string NgcWriter::printed(const std::string& planned) {
   if (planned.empty()) return planned;
   const std::string word = beside_whole(planned);
-  const bool small = choices_.one_in(20);
+  const bool small = choices_.one_in(20) && word[0] >= 'A' && word[0] <= 'Z';
   std::string text(1, small ? static_cast<char>(word[0] - 'A' + 'a') : word[0]);
   if (choices_.one_in(30)) text += ' ';
   text += word.substr(1);

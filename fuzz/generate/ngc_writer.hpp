@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "fuzz/generate/ngc_generator.hpp"
 #include "fuzz/generate/program_writer.hpp"
@@ -58,6 +60,13 @@ class NgcWriter final : ProgramWriter {
   void dwell_block();
   void outside_block();
   void mode_words(Words& words);
+  // In ngc_further_modes.cpp: some blocks under a mode, and the way back.
+  void further_modes();
+  void feed_mode_blocks();
+  void diameter_blocks();
+  void saved_modes_blocks();
+  void polar_blocks();
+  void polar_words(Words& words);
   // In ngc_motion.cpp.
   void line_block();
   void rotary_block();
@@ -156,6 +165,9 @@ class NgcWriter final : ProgramWriter {
   bool has_code_ = false;       // the block has a code of the motion group
   bool dwells_ = false;         // the block has a G4
   bool rotary_ = false;         // the block turns a rotary axis alone
+  bool inverse_time_ = false;   // G93: an F in each block
+  bool is_polar_ = false;       // the places of a cycle's block
+  std::string mode_to_enter_;   // beside the motion that comes; empty: none
   int spindle_ = 5;             // M3, M4 or M5
   bool spindle_named_ = false;  // in the block
   int retract_ = 0;             // G98 or G99; 0: not said

@@ -19,6 +19,12 @@ using reference::RecordKind;
 
 namespace {
 
+// A place to which polar words lead has no decimal; a millionth of the tolerance is never seen.
+Number writable(const Number& place) {
+  constexpr int kPlaces = 9;
+  return place.is_rational() ? place : Number::parse(place.decimal_text(kPlaces)).value();
+}
+
 std::optional<ChangedRun> absolute_centres(const Observation& seen) {
   const ProgramText program(seen.profile, seen.program);
   const auto paths = paths_of(seen, program.blocks.size());
@@ -32,7 +38,7 @@ std::optional<ChangedRun> absolute_centres(const Observation& seen) {
                                which <= 2 && !block.modes.absolute_centre;
         if (!is_centre || !written) return std::nullopt;
         const auto line = static_cast<std::size_t>(&block - program.blocks.data()) + 1;
-        const Number start = paths[line].start[reference::kLinearAxes[which]];
+        const Number start = writable(paths[line].start[reference::kLinearAxes[which]]);
         return with_value(word, *written - (block.modes.inch ? start * 5 / 127 : start));
       });
   if (!text) return std::nullopt;

@@ -65,7 +65,35 @@ bool has_cut_words(const TextBlock& block) {
   return std::ranges::any_of(block.words, is_cut);
 }
 
+bool any_code(const program::ProgramText& text, bool (*is_it)(const reference::Code&)) {
+  return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
+    return std::ranges::any_of(block.codes, [&](const std::string& name) {
+      const reference::Code* const code = text.table->find(name);
+      return code != nullptr && is_it(*code);
+    });
+  });
+}
+
+namespace {
+
+// Modes under which a word is not the way or the feed that it says: F of inverse time hangs on the
+// way of its block, X of a mill is a diameter, and saved modes come back unnamed.
+bool has_modes_of_their_own(const program::ProgramText& text) {
+  using reference::Setting;
+  const bool is_mill = text.table->find(reference::Kind::line)->takes('Y');
+  const auto is_one = [](const reference::Code& code) {
+    return code.setting == Setting::inverse_time || code.group == reference::Group::saved_modes;
+  };
+  const auto is_diameter = [](const reference::Code& code) {
+    return code.setting == Setting::diameter;
+  };
+  return any_code(text, is_one) || (is_mill && any_code(text, is_diameter));
+}
+
+}  // namespace
+
 bool has_unclear_words(const program::ProgramText& text) {
+  if (has_modes_of_their_own(text)) return true;
   const auto is_unknown = [&](const std::string& name) {
     const reference::Code* const code = text.table->find(name);
     const bool is_undefined = name.starts_with('G') && code == nullptr;
@@ -74,15 +102,6 @@ bool has_unclear_words(const program::ProgramText& text) {
   return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
     return std::ranges::any_of(block.words, is_nearly_a_code) ||
            std::ranges::any_of(block.words, is_cut) || std::ranges::any_of(block.codes, is_unknown);
-  });
-}
-
-bool any_code(const program::ProgramText& text, bool (*is_it)(const reference::Code&)) {
-  return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
-    return std::ranges::any_of(block.codes, [&](const std::string& name) {
-      const reference::Code* const code = text.table->find(name);
-      return code != nullptr && is_it(*code);
-    });
   });
 }
 
@@ -131,6 +150,7 @@ std::optional<reference::Plane> only_plane(const program::ProgramText& text,
 }
 
 bool has_unclear_order(const program::ProgramText& text) {
+  if (has_modes_of_their_own(text)) return true;
   const auto is_g_word = [](const TextWord& word) {
     return word.text.front() == 'G' || word.text.front() == 'g';
   };

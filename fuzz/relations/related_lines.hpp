@@ -25,7 +25,8 @@ bool is_in_steps(const reference::Code& code);
 // Whether a cycle's path is left to the control, which may lay it otherwise in the other program.
 bool has_open_path(const program::ProgramText& text);
 // Whether words cannot be distinguished for sure: blanks within them, codes that are only nearly those
-// that they may count as, and codes that the gauge does not read.
+// that they may count as, and codes that the gauge does not read; or whether they are not the ways
+// and feeds that they say.
 bool has_unclear_words(const program::ProgramText& text);
 // Whether blanks have cut words of the block.
 bool has_cut_words(const program::TextBlock& block);

@@ -162,7 +162,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     refused_by_some(
         {"NGC-FED-03", open, kLaterModes,
          "A feed per revolution of a spindle that stands, or has no speed, is put out as "
-         "it is. No text says what happens; our judgement.",
+         "it is; in inverse time an arc whose radii differ is not read, for they differ in its "
+         "length. No text says what happens; our judgement.",
          "reference/rs274/modes.cpp", Basis::silent},
         "spindle-stopped"),
     {"NGC-SPD-01", must, kLaterModes,

@@ -12,6 +12,7 @@
 #include "reference/geometry/arc_centre.hpp"
 #include "reference/reading_literal.hpp"
 #include "reference/rs274/machine.hpp"
+#include "reference/rs274/modes.hpp"
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -220,24 +221,22 @@ bool check_words(BlockContext& block, const PlaneAxes& axes) {
   return true;
 }
 
-// The radius, or what lies between those at start and end, where they differ.
-Number radius_of(const Number& at_start, const Number& at_end) {
-  constexpr int kBits = 64;
-  if ((at_start - at_end).try_sign() == 0) return at_start;
-  return Number::between(exact::min(at_start.bounds(kBits)[0], at_end.bounds(kBits)[0]),
-                         exact::max(at_start.bounds(kBits)[1], at_end.bounds(kBits)[1]));
-}
-
-// NGC-FED-01: the way along the arc that F of inverse time counts. REQUIRES: both radii above zero.
-Number way_along(const Arc& arc, const Point_2& centre, std::int32_t turns, const Number& rise) {
+// NGC-FED-01: the way along the arc that F of inverse time counts; NGC-FED-03: nothing where its
+// radii differ.
+// REQUIRES: both are above zero.
+std::optional<Number> way_along(const Arc& arc, const Point_2& centre, std::int32_t turns,
+                                const Number& rise) {
   const Vector_2 from = arc.ends.start - centre;
   const Vector_2 to = arc.ends.end - centre;
+  // What enclosures leave open is equal.
+  if ((from.squared_length() - to.squared_length()).try_sign().value_or(0) != 0) {
+    return std::nullopt;
+  }
   const Number across = CGAL::determinant(from, to) * Number(arc.sense);
   Number last = exact::angle_degrees(CGAL::scalar_product(from, to), across);
   if (last.sign() == 0) last = 360;
   const Number round =
-      radius_of(exact::sqrt(from.squared_length()), exact::sqrt(to.squared_length())) *
-      exact::radians(last + Number(360) * Number(turns - 1));
+      exact::sqrt(from.squared_length()) * exact::radians(last + Number(360) * Number(turns - 1));
   return exact::sqrt(round * round + rise * rise);
 }
 
@@ -263,7 +262,9 @@ void run_arc(BlockContext& block, int sense) {
   Record record = block.arc_to(clause, named, to, geometry::pair(*centre), sense * *turns);
   // An arc that alarms may have no radius, and no way.
   if (is_inverse_time && block.words.has('F') && block.out.alarms.empty()) {
-    record.feed = block.words.written('F') * way_along(arc, *centre, *turns, rise);
+    const std::optional<Number> way = way_along(arc, *centre, *turns, rise);
+    if (!way) return leave_out(block, 'F', "No text says how long an arc is whose radii differ.");
+    record.feed = block.words.written('F') * *way;
   }
   block.put(std::move(record));
 }

@@ -33,7 +33,8 @@ HoleBlock::HoleBlock(BlockContext& block, OwnWord own)
     }
   }
   // NGC-CYC-20
-  if (decided("NGC-CYC-20"_clause, "F", block_.machine.feed) <= 0 &&
+  if (!block_.machine.is_inverse_time &&
+      decided("NGC-CYC-20"_clause, "F", block_.machine.feed) <= 0 &&
       block_.readings.is("ngc.cycle.feed=needed"_reading)) {
     block_.need_feed("NGC-CYC-20"_clause);
   }

@@ -9,6 +9,13 @@
 #include "reference/rs274/tool_lengths.hpp"
 
 namespace gonogo::reference::rs274 {
+
+void leave_out(BlockContext& block, char address, std::string message) {
+  if (block.out.not_covered) return;
+  block.out.not_covered = NotCovered{block.line, std::string(1, address), std::move(message),
+                                     block.places.place_of(address).value_or(grammar::Span{})};
+}
+
 namespace {
 
 constexpr bool cuts_by_feed(int motion) {
@@ -17,12 +24,6 @@ constexpr bool cuts_by_feed(int motion) {
 
 bool takes_x_for_an_offset(const BlockCodes& codes) {
   return codes.once == 100 || codes.once == 520 || codes.once == 920 || codes.tool_length >= 431;
-}
-
-void leave_out(BlockContext& block, char address, std::string message) {
-  if (block.out.not_covered) return;
-  block.out.not_covered = NotCovered{block.line, std::string(1, address), std::move(message),
-                                     block.places.place_of(address).value_or(grammar::Span{})};
 }
 
 // NGC-DIA-02: what no text says of diameters.
@@ -97,7 +98,7 @@ bool fits_modes(BlockContext& block) {
   if (is_hole_cycle(machine.motion)) {
     block.alarm(AlarmClass::conflicting_words, "NGC-CYC-21"_clause, 'G',
                 "A cycle does not run in inverse time.");
-    return false;
+    return true;  // what else is wrong with its words may be told in its place
   }
   if (!cuts_by_feed(machine.motion)) return true;
   // NGC-FED-01

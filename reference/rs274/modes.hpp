@@ -10,6 +10,9 @@
 
 namespace gonogo::reference::rs274 {
 
+// What no text says: the gauge expects nothing from this block on.
+void leave_out(BlockContext& block, char address, std::string message);
+
 // Rules of modes that ask for words of the block.
 void check_modes(BlockContext& block);
 // Whether the motion runs in the modes in force; else an alarm, or it is not read.

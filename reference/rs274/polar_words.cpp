@@ -100,7 +100,8 @@ bool passes_origin(const BlockContext& block) {
 
 PlaceInXy PolarPlace::in_xy() const {
   const PlaceInXy place = turned(base, added.angle);
-  if (added.distance.sign() == 0) return place;
+  const bool has_direction = squared_distance(base).sign() != 0;  // NGC-POL-03
+  if (added.distance.sign() == 0 || !has_direction) return place;
   return scaled(place, 1 + added.distance / distance_of(base));
 }
 

@@ -90,6 +90,7 @@ TEST(NgcCycleAlarms, OfAxesAndWordsThatACycleLacks) {
       {"G81 X1 Z-1 R2 C5", "!b2:axis-not-in-plane"},
       {"G81 X1 Z-1 R2\nA5", "R0,0,2 R1,0,2 F1,0,-1 R1,0,2 !b3:axis-not-in-plane", kSame, kUnknown},
       {"G93 G81 X1 Z-1 R2 F1", "!b2:conflicting-words"},
+      {"G93 G81 X1 Z-1 R2 L0.5 F1", "!b2:conflicting-words,not-an-integer"},
       {"G41 G81 X1 Z-1 R2", "?b2:G41"},
       {"G53 G81 X1 Z-1 R2", "!b2:conflicting-words"},
       {"G81 X1 Z-1 R2 B1", "?b2:B"},

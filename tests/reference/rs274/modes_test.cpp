@@ -71,6 +71,12 @@ TEST(NgcModes, InverseTimeCountsTheWayAlongAnArc) {
   EXPECT_EQ(feeds("G20 G93 G2 X2 I1 F1"), Lines{"79.796453401"});
 }
 
+// Radii of 5 and 5.0005, of which either may count.
+TEST(NgcModes, InverseTimeOfAnArcWhoseRadiiDifferIsNotRead) {
+  EXPECT_EQ(path("F9 G2 X10.0005 I5").size(), 1U);
+  EXPECT_EQ(ending_of("G93 G2 X10.0005 I5 F3"), "not-covered b1 F");
+}
+
 TEST(NgcModes, AnotherModeOfFeedNeedsANewF) {
   EXPECT_EQ(path("G95 G1 X1 F0.2\nG94 X2 F9"), (Lines{"feed x1 f0.2/rev", "feed x2 f9"}));
   EXPECT_EQ(ending_of("F9 G1 X1\nG95 X2"), "alarm b2 feed-missing");

@@ -95,6 +95,8 @@ TEST(NgcPolarWords, OfOtherCodesAreNotRead) {
     EXPECT_EQ(ending_of(block), "not-covered b1 polar-word") << block;
   }
   EXPECT_EQ(ending_of("G18\nG17 G0 @5 ^0"), "not-covered b2 polar-word");
+  // At the origin, which has no angle; found by a hunt.
+  EXPECT_EQ(ending_of("G19 G91 G83 X-4 @5 L2 Q4 R-10 ^-75 F500"), "not-covered b1 polar-word");
   EXPECT_EQ(ending_of("F9 G0 X10\nG91 G81 @-5 L4 R-1 Z-1"), "not-covered b2 polar-word");
 }
 
