@@ -19,7 +19,7 @@ using reference::RecordKind;
 
 namespace {
 
-// A place to which polar words lead has no decimal; a millionth of the tolerance is never seen.
+// A place to which polar words lead has no decimal; nobody sees a billionth of a millimetre.
 Number writable(const Number& place) {
   constexpr int kPlaces = 9;
   return place.is_rational() ? place : Number::parse(place.decimal_text(kPlaces)).value();
