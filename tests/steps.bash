@@ -34,11 +34,12 @@ step() {
 
 # beside NAME COMMAND...: begins what a later step will `take`, on what the steps before it leave of the processors.
 beside() {
-  nice -n 19 "${@:2}" >"$times/$1.log" 2>&1 &
+  setsid nice -n 19 "${@:2}" >"$times/$1.log" 2>&1 &
   beside_ids[$1]=$!
 }
 declare -A beside_ids=()
-trap 'for id in "${beside_ids[@]}"; do kill "$id" 2>/dev/null || true; done' EXIT
+# Each is a group of its own, so that what it started ends with it.
+trap 'for id in "${beside_ids[@]}"; do kill -- "-$id" 2>/dev/null || true; done' EXIT
 
 # take NAME: waits for it, prints what it said, and answers as it did.
 take() {

@@ -140,9 +140,8 @@ std::string program_lines(const std::string& program) {
 }
 
 // The program of the symptom, reduced, what was said of it, how to see it again, and the two paths.
-std::string example(const PageFolder& folder, const CampaignFinding& finding,
-                    const std::string& dialect, std::size_t number) {
-  const Symptom& symptom = finding.symptoms.front();
+std::string example(const PageFolder& folder, const Symptom& symptom, const std::string& dialect,
+                    std::size_t number) {
   const std::filesystem::path place = std::filesystem::path(folder.path) / symptom.folder;
   try {
     const Reproducer reproducer = read_reproducer(place.string(), dialect);
@@ -178,7 +177,7 @@ std::string finding_section(const PageFolder& folder, const HuntSummary& summary
                         markup_text(known->text));
   }
   text += "<h3>The first symptom, reduced</h3>\n";
-  text += example(folder, finding, summary.dialect, number);
+  text += example(folder, finding.symptoms.front(), summary.dialect, number);
   return section(fmt::format("finding-{}", number),
                  fmt::format("Finding {}: {}, {}{}", number, symptoms_text(finding),
                              markup_text(clauses_text(finding)),

@@ -21,8 +21,7 @@ namespace {
 
 // A place to which polar words lead has no decimal; nobody sees a billionth of a millimetre.
 Number writable(const Number& place) {
-  constexpr int kPlaces = 9;
-  return place.is_rational() ? place : Number::parse(place.decimal_text(kPlaces)).value();
+  return place.is_rational() ? place : half_up(place, 9);
 }
 
 std::optional<ChangedRun> absolute_centres(const Observation& seen) {

@@ -141,6 +141,10 @@ std::vector<Motions> motions_concerned(const Observation& departure) {
   return concerned;
 }
 
+reference::Number half_up(const reference::Number& value, int places) {
+  return reference::Number::parse(value.decimal_text(places)).value();
+}
+
 std::string names_of(const Motions& motions) {
   const bool is_all =
       std::ranges::any_of(reference::dialects(), [&](const reference::Dialect& dialect) {

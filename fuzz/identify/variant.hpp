@@ -94,6 +94,8 @@ std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& ta
 const reference::CodeWord* taper_of(const reference::Code& code);
 // Addresses that stand in the program, but codes.
 std::set<std::string> addresses_in(const ProgramText& program);
+// With so many decimals.
+reference::Number half_up(const reference::Number& value, int places);
 // R105 and similar ones.
 bool is_parameter(const std::string& name);
 // "G110 G111", or "all cycles" of a dialect.

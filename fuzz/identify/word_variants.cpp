@@ -98,10 +98,6 @@ bool is_among(Words words, const TextBlock& block, const TextWord& word,
   return false;
 }
 
-Number half_up(const Number& value, int places) {
-  return Number::parse(value.decimal_text(places)).value();
-}
-
 const std::vector<Operation>& operations() {
   using Value = std::optional<Number>;
   static const std::vector<Operation> kOperations = {

@@ -65,15 +65,6 @@ bool has_cut_words(const TextBlock& block) {
   return std::ranges::any_of(block.words, is_cut);
 }
 
-bool any_code(const program::ProgramText& text, bool (*is_it)(const reference::Code&)) {
-  return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
-    return std::ranges::any_of(block.codes, [&](const std::string& name) {
-      const reference::Code* const code = text.table->find(name);
-      return code != nullptr && is_it(*code);
-    });
-  });
-}
-
 namespace {
 
 // Modes under which a word is not the way or the feed that it says: F of inverse time hangs on the
@@ -102,6 +93,15 @@ bool has_unclear_words(const program::ProgramText& text) {
   return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
     return std::ranges::any_of(block.words, is_nearly_a_code) ||
            std::ranges::any_of(block.words, is_cut) || std::ranges::any_of(block.codes, is_unknown);
+  });
+}
+
+bool any_code(const program::ProgramText& text, bool (*is_it)(const reference::Code&)) {
+  return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
+    return std::ranges::any_of(block.codes, [&](const std::string& name) {
+      const reference::Code* const code = text.table->find(name);
+      return code != nullptr && is_it(*code);
+    });
   });
 }
 

@@ -222,8 +222,7 @@ bool check_words(BlockContext& block, const PlaneAxes& axes) {
 }
 
 // NGC-FED-01: the way along the arc that F of inverse time counts; NGC-FED-03: nothing where its
-// radii differ.
-// REQUIRES: both are above zero.
+// radii differ. REQUIRES: both are above zero.
 std::optional<Number> way_along(const Arc& arc, const Point_2& centre, std::int32_t turns,
                                 const Number& rise) {
   const Vector_2 from = arc.ends.start - centre;

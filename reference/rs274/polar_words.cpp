@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/rs274/whole.hpp"
 
@@ -99,9 +100,9 @@ bool passes_origin(const BlockContext& block) {
 }  // namespace
 
 PlaceInXy PolarPlace::in_xy() const {
+  if (squared_distance(base).sign() == 0) return base;  // NGC-POL-03: it has no direction
   const PlaceInXy place = turned(base, added.angle);
-  const bool has_direction = squared_distance(base).sign() != 0;  // NGC-POL-03
-  if (added.distance.sign() == 0 || !has_direction) return place;
+  if (added.distance.sign() == 0) return place;
   return scaled(place, 1 + added.distance / distance_of(base));
 }
 
@@ -118,8 +119,6 @@ PolarSteps polar_steps(const BlockContext& block) {
 }
 
 PlaceInXy polar_end(const BlockContext& block) {
-  const PlaceInXy from = place_of(block);
-  if (needs_direction(block) && squared_distance(from).sign() == 0) return from;  // NGC-POL-03
   return place_after(block, 1).in_xy();
 }
 
