@@ -224,6 +224,7 @@ enum class SyntaxCode {
   unclosed_comment,       // '(' without ')'
   misplaced_number_word,  // N or O that is not at the head of the block
   line_too_long,          // above 1 MiB
+  nested_too_deep,        // brackets or functions, above 64 in each other
 };
 
 struct SyntaxError {

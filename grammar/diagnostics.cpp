@@ -50,7 +50,7 @@ constexpr Expectation kExpectations[] = {
     {"own-value", SyntaxCode::unexpected_character,
      "a value without AC() and IC(), which are only the whole value of an axis, I J K, I1 J1 K1 or "
      "AP"},
-    {"nesting", SyntaxCode::unexpected_character, "a value of at most 64 brackets in each other"},
+    {"nesting", SyntaxCode::nested_too_deep, "a value of at most 64 brackets in each other"},
     {kWordEnd, SyntaxCode::unexpected_character,
      "a word, ';' with a comment behind it, or the end of the block"},
 };
@@ -71,7 +71,9 @@ constexpr Meaning kMeanings[] = {
     {SyntaxCode::misplaced_number_word, "misplaced-number-word",
      "A sequence or program number stands only at the head of a block; expected is @."},
     {SyntaxCode::line_too_long, "line-too-long",
-     "The line is longer than 1,048,576 bytes; expected is @."},
+     "The line is longer than the gauge reads, 1,048,576 bytes; expected is @."},
+    {SyntaxCode::nested_too_deep, "nested-too-deep",
+     "Brackets stand deeper in each other than the gauge reads; expected is @."},
 };
 
 const Expectation& expectation_of(std::string_view key) {
@@ -169,6 +171,10 @@ SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t of
 
 SyntaxError line_too_long() {
   return {SyntaxCode::line_too_long, span(kMaximumLine, kMaximumLine), "the end of the line"};
+}
+
+bool is_limit_of_gauge(const SyntaxError& error) {
+  return error.code == SyntaxCode::line_too_long || error.code == SyntaxCode::nested_too_deep;
 }
 
 std::string_view name(SyntaxCode code) {

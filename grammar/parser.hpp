@@ -22,6 +22,9 @@ namespace gonogo::grammar {
 // the beginning of such a line (Line::too_long).
 SyntaxError line_too_long();
 
+// Whether the line is beyond what the gauge reads. No text forbids it, so that it is no alarm.
+bool is_limit_of_gauge(const SyntaxError& error);
+
 // Writes a block so that parse_block of the same dialect reads the same tree again: words first,
 // then comments, a program number as O, and for an outside construct, whose text is not in the
 // tree, a short one of the same name. Values are written with the fewest brackets, calls without

@@ -71,13 +71,15 @@ std::span<const Dialect> dialects() {
        "GSK-COM-02"_clause, true, gsk988ta::make_interpreter, &gsk988ta::kDescriptor, kOffsets,
        kGskParameters, keeps_defaults,
        "M98, M99 (subprograms), M functions above 9999, a second program in the file, variables "
-       "(#), expressions ([ ]), words behind a comma and control statements"},
+       "(#), expressions ([ ]), words behind a comma and control statements",
+       "GSK-COM-14"_clause},
       {"hnc21t", grammar::Dialect::hnc21t, clauses_of("HNC-"), "HNC-COM-01"_clause,
        "HNC-COM-01"_clause, true, hnc21t::make_interpreter, &hnc21t::kDescriptor, kOffsets,
        kHncParameters, keeps_defaults,
        "M98, M99 (subprograms), M functions above 9999, a second program in the file, Y and V "
        "outside the cycles (programs "
-       "for mills), RL= and RC=, variables (#), expressions ([ ]) and control statements"},
+       "for mills), RL= and RC=, variables (#), expressions ([ ]) and control statements",
+       "HNC-COM-08"_clause},
       {"rs274", grammar::Dialect::rs274, clauses_of("NGC-"), "NGC-COM-01"_clause,
        "NGC-COM-01"_clause, false, rs274::make_interpreter, &rs274::kDescriptor, kNgcOffsets,
        kNgcParameters, mills_finely,

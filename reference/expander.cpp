@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "grammar/byte_set.hpp"
 #include "reference/dialect.hpp"
 #include "reference/range.hpp"
 
@@ -44,6 +45,23 @@ bool is_disputed(const grammar::Line& line, const grammar::SyntaxError& error) {
   const char letter = line.text[last];
   const bool is_code = line.text[error.where.begin] == '=' && (letter == 'G' || letter == 'g');
   return is_code || (is_sign(error.where.begin) && is_sign(last));
+}
+
+// Whether a block that cannot be read has letters at fault alone: it is one in capitals.
+bool is_read_in_capitals(grammar::Dialect dialect, const grammar::Line& line) {
+  if (line.too_long) return false;
+  std::string capitals(line.text);
+  for (char& letter : capitals) letter = grammar::capital_of(letter);
+  grammar::Block block;
+  return capitals != line.text && !grammar::parse_block(dialect, capitals, block);
+}
+
+// What the alarm of a block that cannot be read stands on.
+ClauseId clause_of(const Dialect& dialect, const grammar::Line& line,
+                   const grammar::SyntaxError& error) {
+  const bool may_be_read = dialect.lower_case_clause != kNoClause;
+  if (may_be_read && is_read_in_capitals(dialect.grammar, line)) return dialect.lower_case_clause;
+  return is_disputed(line, error) ? dialect.disputed_syntax_clause : dialect.syntax_clause;
 }
 
 }  // namespace
@@ -146,10 +164,13 @@ const Item* Expander::produce() {
       interpreter_->leave_out();
       continue;
     }
+    if (error && grammar::is_limit_of_gauge(*error)) {
+      return finish(NotCovered{line_.number, std::string(grammar::name(error->code)),
+                               grammar::message(*error), error->where});
+    }
     if (error) {
       // A block that cannot be read yields the syntax alarm alone.
-      const ClauseId clause =
-          is_disputed(line_, *error) ? dialect_.disputed_syntax_clause : dialect_.syntax_clause;
+      const ClauseId clause = clause_of(dialect_, line_, *error);
       Alarm alarm{AlarmClass::syntax, clause, 0, error->where, grammar::message(*error)};
       return finish(AlarmReport{line_.number, {std::move(alarm)}, std::move(error)});
     }

@@ -41,6 +41,14 @@ void append_number(std::string_view key, const Number& value, std::string& out) 
   value.append_json(out);
 }
 
+bool differ(const Number& a, const Number& b) {
+  try {
+    return a != b;
+  } catch (const exact::Undecided&) {
+    return false;
+  }
+}
+
 void append_feed(const Record& record, std::string& out) {
   append_number(",\"f\":", record.feed, out);
   if (record.feed_mode == FeedMode::per_revolution) out += ",\"fm\":\"rev\"";
@@ -63,6 +71,18 @@ void append_arc(const Record& record, std::string& out) {
 
 std::string_view name(RecordKind kind) {
   return kKinds[static_cast<std::size_t>(kind)];
+}
+
+bool turns_alone(const Record& record, const Position& from) {
+  const auto moves = [&](Axis axis) {
+    return record.axes.has(axis) && differ(record.to[axis], from[axis]);
+  };
+  return std::ranges::none_of(kLinearAxes, moves) && std::ranges::any_of(kAllAxes, moves);
+}
+
+std::string_view feed_unit(FeedMode mode, bool in_degrees) {
+  if (mode == FeedMode::per_revolution) return in_degrees ? "degrees/rev" : "mm/rev";
+  return in_degrees ? "degrees/min" : "mm/min";
 }
 
 const Alarm& best_supported(const AlarmReport& report) {

@@ -45,6 +45,12 @@ constexpr bool is_motion(RecordKind kind) {
   return kind <= RecordKind::thread;
 }
 
+// Whether the record, from there, moves rotary axes alone, as far as numbers can be told apart: its
+// feed is then in degrees (docs/protocol.md).
+bool turns_alone(const Record& record, const Position& from);
+// "mm/min", "degrees/rev"
+std::string_view feed_unit(FeedMode mode, bool in_degrees);
+
 // One JSON object without the line end: {"k":"feed","b":3,"to":{"x":"1.5"},"f":"200",...}.
 void append_json(const Record& record, std::string& out);
 

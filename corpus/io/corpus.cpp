@@ -59,7 +59,10 @@ std::vector<std::string> vector_files(const std::string& folder) {
     files.push_back(fs::relative(entry.path(), folder).generic_string());
   }
   if (error) {
-    throw CorpusError(fmt::format("{}/vectors cannot be listed: {}.", folder, error.message()));
+    throw CorpusError(
+        fmt::format("{} is no corpus: {}/vectors cannot be listed: {}. Name a folder that has "
+                    "vectors/ and manifest.json.",
+                    folder, folder, error.message()));
   }
   std::ranges::sort(files);
   return files;

@@ -109,13 +109,35 @@ void Interpreter::check_words() {
   }
 }
 
+// GSK-MOD-07, and F: what earlier blocks have left, where the modes of the block are others.
+void Interpreter::take_changes(const State& before) {
+  State& state = machine_.state;
+  const bool other_lengths = state.inch != before.inch || state.plane != before.plane;
+  if (other_lengths && machine_.follows("gsk.retained=clear"_reading)) state.turning = {};
+  if (other_lengths && machine_.follows("gsk.retained=in-plane"_reading)) {
+    state.turning.end[state.plane->d] = {};
+  }
+  if (state.inch != before.inch && machine_.follows("gsk.retained=number"_reading)) {
+    const auto rescale = [&](Retained& word) {
+      const Fixed times = state.inch ? 254 : 10;
+      word.value = static_cast<Fixed>(scaled(word.value, times, 264 - times));
+    };
+    for (Retained& word : state.turning.end) rescale(word);
+    rescale(state.turning.taper);
+  }
+  const bool other_feed = state.per_revolution != before.per_revolution;
+  if (other_feed && machine_.follows("gsk.feed-change=deleted"_reading)) state.feed = 0;
+}
+
 void Interpreter::take_codes() {
   State& state = machine_.state;
+  const State before = state;
   if (const Code* units = block().code(Group::kUnits)) state.inch = units->tenths == 200;
   if (const Code* plane = block().code(Group::kPlane)) state.plane = &plane_of(plane->tenths / 10);
   if (const Code* mode = block().code(Group::kFeedMode)) {
     state.per_revolution = mode->tenths == 990;
   }
+  take_changes(before);
   gsk::check_words(machine_, block());
   if (machine_.in_alarm()) return;
   const bool in_cycle = state.cycle != Cycle::kNone || is_turning_cycle(state.motion);

@@ -35,6 +35,7 @@ class Interpreter final : public LetterInterpreter {
   void prepare(Plan& plan) override;
   Moment moment_of(Fixed m) const override;
   void take_codes();
+  void take_changes(const State& before);
   void take_feed(bool repeats_cycle);
   void take_motion_code();
   void take_cycle_code();

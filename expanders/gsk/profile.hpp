@@ -26,6 +26,8 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"gsk.g94.in-mode", "keep|clear"},
     {"gsk.zero-depth-end", "initial|r-plane"},
     {"gsk.g92.lead", "own|feed"},
+    {"gsk.retained", "keep|clear|number|in-plane"},
+    {"gsk.feed-change", "kept|deleted"},
     {"gsk.dwell-without-word", "alarm|none"},
     {"gsk.arc.tolerance-zero", "off|exact"},
     {"gsk.g50.initial-plane", "shifted|kept"},
@@ -46,6 +48,7 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"gsk.pocket.path", "concentric"},
     {"gsk.pocket.p-omitted", "0"},
     {"gsk.arc.zero-radius", "alarm"},
+    {"gsk.feed-units", "length"},
     {"gsk.rotary-feed-inch", "scaled"},
 });
 

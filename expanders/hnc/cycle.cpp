@@ -9,16 +9,28 @@ Fixed coordinate(Machine& machine, const Block& block, std::size_t axis) {
   if (axis_word(machine, block, axis).present) return target(machine, block, axis);
   const bool is_x = axis == GONOGO_X;
   const Retained& kept = is_x ? machine.state.store.end_x : machine.state.store.end_z;
+  if (!block.has_any(kAxisAddresses)) return kept.value;  // the cycle again
   if (machine.follows("hnc.missing-axis=none"_reading)) return machine.state.position[axis];
   if (machine.follows("hnc.missing-axis=keep"_reading) && kept.present) return kept.value;
   machine.complain(AlarmKind::kMissingWord, is_x ? 'X' : 'Z', kNowhere);
   return machine.state.position[axis];
 }
 
+// Reading hnc.empty-block.
+bool runs_again(const Machine& machine, const Block& block, bool needs_x, bool needs_z) {
+  constexpr AddressSet kOwn{"IKRECAPFJQ"};
+  const State& state = machine.state;
+  if (state.motion == Motion::kGroove || !(state.named || block.has_any(kOwn))) return false;
+  if ((needs_x && !state.store.end_x.present) || (needs_z && !state.store.end_z.present)) {
+    return false;
+  }
+  return machine.follows("hnc.empty-block=repeat"_reading);
+}
+
 }  // namespace
 
 bool is_idle(const Machine& machine, const Block& block, bool needs_x, bool needs_z) {
-  if (!block.has_any(kAxisAddresses)) return true;
+  if (!block.has_any(kAxisAddresses)) return !runs_again(machine, block, needs_x, needs_z);
   if (!machine.follows("hnc.missing-axis=nothing"_reading)) return false;
   return (needs_x && !axis_word(machine, block, GONOGO_X).present) ||
          (needs_z && !axis_word(machine, block, GONOGO_Z).present);

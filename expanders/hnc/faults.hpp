@@ -24,8 +24,6 @@ inline constexpr auto kFaults = std::to_array<FaultDescription>({
      "infeed cut to hundredths in the sum"},
     {"withdrawal-sign-unchecked", "a negative e of G74 and G75 counts by its size", "HNC-G74-01",
      "absolute value where the text has a rule"},
-    {"drill-takes-x", "G74 moves to its X before it drills", "HNC-G74-04",
-     "positioning of a drilling cycle of the milling control"},
     {"groove-depth-diameter", "e and dK of G75 are halved like an X diameter", "HNC-G75-01",
      "radius word passed through the diameter conversion"},
     {"groove-step-short", "G75 leaves out the last of its places", "HNC-G75-04",

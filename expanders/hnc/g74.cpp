@@ -7,11 +7,11 @@ namespace gonogo::expanders::hnc {
 void prepare_drill(Machine& machine, const Block& block, Plan& plan) {
   take_pecks(machine, block, false);
   if (is_idle(machine, block, false, true)) return;
-  // HNC-G74-04: X and U stand there without effect.
+  // HNC-G74-04: X and U stand there without effect, or as reading hnc.g74.x says.
   const CycleEnd end = cycle_end(machine, block, false, true);
   Pecks pecks{.axis = GONOGO_Z, .bottom = end.z, .feed = {}};
   prepare_pecks(machine, block, pecks);
-  const bool takes_x = machine.has("drill-takes-x"_fault);
+  const bool takes_x = machine.follows("hnc.g74.x=first"_reading);
   const Fixed x = takes_x ? target(machine, block, GONOGO_X) : end.x;
   if (machine.in_alarm()) return;
   keep_end(machine, end);

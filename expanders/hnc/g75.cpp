@@ -64,6 +64,7 @@ class Places {
       intervals_ = last_;
     }
     if (machine.has("groove-step-short"_fault) && last_ > 0) --last_;
+    if (groove.width == 0 && machine.follows("hnc.g75.zero-width=once"_reading)) last_ = 0;
   }
 
   /// Number of the last place; the first is 0.

@@ -127,7 +127,9 @@ bool pass(Machine& machine, const ThreadCycle& cycle, Fixed start) {
 }
 
 bool perform(Machine& machine, const ThreadCycle& cycle) {
-  for (Fixed k = 0; k < cycle.passes; ++k) {
+  const bool falls = machine.follows("hnc.g82.order=falling"_reading);
+  for (Fixed pass_number = 0; pass_number < cycle.passes; ++pass_number) {
+    const Fixed k = falls ? cycle.passes - 1 - pass_number : pass_number;
     const Wide start = cycle.first + static_cast<Wide>(k) * cycle.between;
     if (!pass(machine, cycle, within_circle(start))) return false;
   }

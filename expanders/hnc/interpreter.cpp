@@ -159,20 +159,45 @@ void Interpreter::check_words() {
 
 void Interpreter::take_modal_codes() {
   State& state = machine_.state;
-  if (const Code* code = block().code(Group::kUnits)) state.inch = code->tenths == 200;
+  if (const Code* code = block().code(Group::kUnits)) take_units(code->tenths == 200);
   if (const Code* code = block().code(Group::kDiameter)) state.diameter = code->tenths == 360;
   if (const Code* code = block().code(Group::kDistance)) state.incremental = code->tenths == 910;
-  if (const Code* code = block().code(Group::kFeedMode)) state.per_revolution = code->tenths == 950;
+  if (const Code* code = block().code(Group::kFeedMode)) {
+    const bool changes = state.per_revolution != (code->tenths == 950);
+    state.per_revolution = code->tenths == 950;
+    if (changes && machine_.follows("hnc.feed-change=deleted"_reading)) {
+      state.feed = state.store.feed = 0;
+    }
+  }
   if (const Code* code = block().code(Group::kFrame)) {
     state.frame = &machine_.profile.offsets[code->tenths / 10u - 54];
   }
 }
 
-// HNC-MOD-01: another command forgets the words of the one in force; the same code is none.
+// An F that was programmed keeps its length or, by reading hnc.feed-units, its number.
+void Interpreter::take_units(bool inch) {
+  State& state = machine_.state;
+  const bool changes = state.inch != inch;
+  state.inch = inch;
+  if (!changes || !state.feed_programmed) return;
+  if (!machine_.follows("hnc.feed-units=number"_reading)) return;
+  const Fixed times = inch ? 254 : 10;
+  for (Fixed* feed : {&state.feed, &state.store.feed}) {
+    *feed = static_cast<Fixed>(scaled(*feed, times, 264 - times));
+  }
+}
+
+// HNC-MOD-01: another command forgets the words of the one in force; the same code is none, or as
+// the reading says one.
 void Interpreter::take_motion() {
   State& state = machine_.state;
   const Motion coming = coming_motion();
-  if (coming == state.motion) return;
+  state.named = block().code(Group::kMotion) != nullptr;
+  if (coming == state.motion) {
+    const bool clears = state.named && is_cycle(coming);
+    if (clears && machine_.follows("hnc.rewrite=clear"_reading)) state.store = {};
+    return;
+  }
   const Motion before = state.motion;
   if (machine_.has("cycle-survives-rapid"_fault) && is_cycle(before) && coming == Motion::kRapid) {
     return;
@@ -237,6 +262,7 @@ void Interpreter::take_feed() {
   const bool cycle = is_cycle(state.motion);
   const bool repeats = block().code(Group::kMotion) == nullptr;
   if (cycle && repeats && machine_.has("cycle-feed-stuck"_fault)) return;
+  state.feed_programmed = true;
   const bool in_inches = state.inch && !machine_.has("inch-feed"_fault);
   const bool own = cycle && machine_.follows("hnc.modal.f=forgotten"_reading);
   (own ? state.store.feed : state.feed) =

@@ -35,6 +35,7 @@ class Interpreter final : public LetterInterpreter {
   void check_words() override;
   void prepare(Plan& plan) override;
   void take_modal_codes();
+  void take_units(bool inch);
   void take_motion();
   void take_speed();
   void take_feed();

@@ -66,7 +66,9 @@ struct State {
   bool diameter = true;
   bool per_revolution = false;
   Fixed feed = 0;  // mm a minute or a revolution; 0: none in force
+  bool feed_programmed = false;
   Motion motion = Motion::kRapid;
+  bool named = false;  // the block has the code of the motion
   CycleStore store;
 };
 
@@ -129,7 +131,8 @@ struct CycleEnd {
   Fixed z = 0;
 };
 
-/// Whether the block of a cycle moves nothing: it has no axis word, or under the reading
+/// Whether the block of a cycle moves nothing: it has no axis word, unless under the reading
+/// hnc.empty-block = repeat its own words run the cycle again, or under the reading
 /// hnc.missing-axis = nothing lacks one that the cycle needs.
 bool is_idle(const Machine& machine, const Block& block, bool needs_x, bool needs_z);
 /// The coordinates that a running cycle block commands; those that it does not need are the

@@ -23,6 +23,13 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"hnc.offset.initial", "G54|none"},
     {"hnc.arc.zero-radius", "alarm|none"},
     {"hnc.missing-axis", "reject|keep|none|nothing"},
+    {"hnc.rewrite", "keep|clear"},
+    {"hnc.empty-block", "none|repeat"},
+    {"hnc.g74.x", "none|first"},
+    {"hnc.g75.zero-width", "each|once"},
+    {"hnc.g82.order", "rising|falling"},
+    {"hnc.feed-change", "kept|deleted"},
+    {"hnc.feed-units", "length|number"},
     {"hnc.lead.unit", "mm|units|tpi|units-tpi"},
 });
 

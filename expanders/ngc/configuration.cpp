@@ -30,6 +30,7 @@ constexpr Reading kReadings[] = {
     {"ngc.feed-units", &Configuration::feed_in_new_units, {"before", "after"}},
     {"ngc.block-delete", &Configuration::reads_skipped, {"unread", "read"}},
     {"ngc.lone-cr", &Configuration::cr_is_blank, {"line-end", "blank"}},
+    {"ngc.long-line", &Configuration::refuses_long_lines, {"read", "syntax"}},
     {"ngc.alarm-dwell", &Configuration::dwells_first, {"none", "dwells"}},
     {"ngc.cycle.initial", &Configuration::initial_of_block, {"series", "block"}},
     {"ngc.cycle.g91-r", &Configuration::r_base, {"current", "initial", "absolute"}},

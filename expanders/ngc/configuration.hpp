@@ -49,6 +49,7 @@ struct Configuration {
   Option feed_in_new_units = 0;    ///< ngc.feed-units
   Option reads_skipped = 0;        ///< ngc.block-delete
   Option cr_is_blank = 0;          ///< ngc.lone-cr
+  Option refuses_long_lines = 0;   ///< ngc.long-line
   Option dwells_first = 0;         ///< ngc.alarm-dwell
   // of the hole cycles
   Option initial_of_block = 0;      ///< ngc.cycle.initial

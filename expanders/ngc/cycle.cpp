@@ -84,7 +84,7 @@ void CycleBlock::prepare(Plan& plan) {
   cycle_.spindle = state_.spindle;
   cycle_.feed = feed_of(state_);
   // NGC-CYC-21
-  if (machine_.spares("cycle-in-inverse-time"_fault, state_.feed_mode == FeedMode::kInverseTime)) {
+  if (state_.feed_mode == FeedMode::kInverseTime) {
     machine_.complain(AlarmKind::kConflictingWords, 'G', kNowhere);
   }
   // NGC-CYC-20

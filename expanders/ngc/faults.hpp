@@ -79,8 +79,6 @@ inline constexpr FaultDescription kFaultTable[] = {
      "one length over all axes"},
     {"inverse-time-of-chord", "F of G93 counts the chord of an arc", "NGC-FED-01",
      "one length for lines and arcs"},
-    {"cycle-in-inverse-time", "a cycle under G93 alarms for want of a feed", "NGC-CYC-21",
-     "mode looked at where feeds are checked"},
     {"x-never-halved", "X under G7 is a radius", "NGC-DIA-01", "mode stored and not looked at"},
     {"feed-not-restored", "M72 leaves F as it is", "NGC-SAV-01", "feed kept apart from the modes"},
     {"dwell-in-milliseconds", "P of G4 is taken as milliseconds", "NGC-G4-01",

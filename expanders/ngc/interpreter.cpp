@@ -76,6 +76,8 @@ Flow Interpreter::refuse_line() {
 }
 
 Flow Interpreter::run_line(std::string_view line) {
+  static constexpr std::size_t kLongest = 256;
+  if (line.size() > kLongest && machine_.configuration.refuses_long_lines) return refuse_line();
   const Block::Reading reading = block_.read(line, manner());
   if (reading == Block::Reading::kBlank) return Flow::kContinue;
   const bool first = !any_line_;

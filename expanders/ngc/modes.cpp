@@ -65,7 +65,8 @@ void Interpreter::take_feed() {
     machine_.state.inch = units->tenths == 200;
   }
   machine_.state.feed = {
-      machine_.alters("inch-feed-unscaled"_fault, length_of(machine_, written), written), written};
+      machine_.alters("inch-feed-unscaled"_fault, length_of(machine_, written), written), written,
+      true};
 }
 
 void Interpreter::take_spindle() {
@@ -97,6 +98,8 @@ void Interpreter::take_saved(Plan& plan) {
   }
   const FeedRate feed = state.feed;
   static_cast<Modes&>(state) = *state.saved;
+  // The number comes back, and counts in the units that come back with it.
+  if (state.feed.is_programmed) state.feed.linear = length_of(machine_, state.feed.rotary);
   if (machine_.adds("feed-not-restored"_fault, feed != state.feed)) state.feed = feed;
 }
 

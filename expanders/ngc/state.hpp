@@ -42,6 +42,7 @@ inline constexpr bool is_cycle(Motion motion) {
 struct FeedRate {
   Fixed linear = 0;  ///< mm a minute
   Fixed rotary = 0;  ///< degrees a minute: the number as it was written
+  bool is_programmed = false;
   bool operator==(const FeedRate&) const = default;
 };
 

@@ -18,6 +18,9 @@ const Plane& arc_plane(const Machine& machine, const Block& block) {
   }
   const std::size_t other = (given & axis_bit(active.p)) != 0 ? active.q : active.p;
   if (block.has(centre_address(other))) return active;
+  const std::size_t common = other == active.p ? active.q : active.p;
+  const bool one_word = block.has(centre_address(common)) && !block.has(centre_address(active.d));
+  if (one_word && machine.follows("sie.arc.plane=helix"_reading)) return active;
   // The third axis of the chosen plane is the one without a word.
   return other == GONOGO_X ? plane_of(19) : other == GONOGO_Y ? plane_of(18) : plane_of(17);
 }

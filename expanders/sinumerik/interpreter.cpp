@@ -181,12 +181,16 @@ void Interpreter::take_modes() {
   if (const Code* code = block_.code(Group::kMotion)) state.motion = motion_of(*code);
 }
 
-// SIE-MOD-07
+// SIE-MOD-07, SIE-MOD-08
 void Interpreter::take_feed_mode(const Code& code) {
+  State& state = machine_.state;
   const bool speed_mode = code.tenths == 960 || code.tenths == 970;
-  machine_.state.feed_per_revolution =
+  const bool per_revolution =
       code.tenths == 950 || (speed_mode && !machine_.has("cutting-speed-feeds-per-minute"_fault));
-  machine_.state.constant_cutting_speed = code.tenths == 960 || code.tenths == 9610;
+  const bool changes = per_revolution != state.feed_per_revolution;
+  if (changes && machine_.follows("sie.feed-change=deleted"_reading)) state.feed = 0;
+  state.feed_per_revolution = per_revolution;
+  state.constant_cutting_speed = code.tenths == 960 || code.tenths == 9610;
 }
 
 void Interpreter::take_feed() {

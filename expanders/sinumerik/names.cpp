@@ -22,11 +22,16 @@ constexpr CodeRow kRows[] = {
     {Group::kWindow, Support::kNoEffect, "601 602"},
     {Group::kCorner, Support::kNoEffect, "450 451"},
     {Group::kProgrammedFrame, Support::kFull, "158 258 259"},
-    // Thread cutting, cutter radius compensation, feeds of other kinds, working area, reference
-    // points, soft approach, tapping, further frames, units of the feed.
+    // Grinding, radius and diameter, thread cutting, cutter radius compensation, feeds of other
+    // kinds, working area, reference points, soft approach, tapping, further frames, smoothing,
+    // units of the feed.
     {Group::kControl, Support::kOutside,
-     "25 26 33 34 35 41 42 62 63 74 75 93 147 148 153 247 248 290 291 331 332 340 341 347 "
-     "348 603 641 642 700 710 962"},
+     "5 7 22 23 25 26 33 34 35 41 42 58 59 62 63 74 75 93 140 141 142 143 147 148 153 247 248 "
+     "290 291 331 332 335 336 340 341 347 348 460 461 462 603 621 641 642 643 644 645 700 710 "
+     "751 931 942 952 962 972 973"},
+    // The machine's maker gives them a meaning.
+    {Group::kControl, Support::kOutside,
+     "810 811 812 813 814 815 816 817 818 819 820 821 822 823 824 825 826 827 828 829"},
 };
 constexpr CodeTable kCodes{kRows};
 constexpr Code kNewSpeedMode{0, static_cast<GroupNumber>(Group::kFeedMode), Support::kOutside};
@@ -123,6 +128,7 @@ const Code* find_code(const Decimal& number, Control control) {
     const bool frame = whole && number.value >= 505 * kOne && number.value <= 599 * kOne;
     return frame ? &kFurtherFrame : nullptr;
   }
+  if ((code->tenths == 220 || code->tenths == 230) && control == Control::k840D) return nullptr;
   // SIE-MOD-07
   const bool new_speed_mode = code->tenths == 9610 || code->tenths == 9710;
   if (new_speed_mode && control == Control::k802S) return &kNewSpeedMode;

@@ -17,6 +17,8 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"sie.ap.g91", "absolute|incremental"},
     {"sie.cip.collinear", "straight|alarm"},
     {"sie.arc.correct", "start-radius|project|programmed"},
+    {"sie.arc.plane", "ends|helix"},
+    {"sie.feed-change", "kept|deleted"},
     {"sie.g158", "absolute|additive"},
     {"sie.g258", "absolute|rotation-only"},
     {"sie.rpl-equals", "lenient|required"},
@@ -29,7 +31,7 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"sie.finish.levels", "split"},
     {"sie.pocket.path", "any"},
 });
-inline constexpr std::size_t kReadingsOf840D = 8;
+inline constexpr std::size_t kReadingsOf840D = 10;
 
 consteval Reading operator""_reading(const char* name, std::size_t size) {
   return find_reading(kReadings, {name, size});

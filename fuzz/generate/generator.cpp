@@ -38,7 +38,9 @@ GeneratedProgram write_sinumerik(Choices& choices, const GeneratorSettings& sett
 constexpr auto kUnaskedByNgc = std::to_array({"ngc.g92-other-axes"_key, "ngc.equal"_key,
                                               "ngc.sign-of-value"_key, "ngc.call-parameters"_key});
 
-constexpr auto kOneOfGsk = std::to_array({"gsk.arc.zero-radius"_key, "gsk.rotary-feed-inch"_key});
+// The expanders have one outcome of these.
+constexpr auto kOneOfGsk =
+    std::to_array({"gsk.arc.zero-radius"_key, "gsk.rotary-feed-inch"_key, "gsk.feed-units"_key});
 
 constexpr std::string_view k840d = "sinumerik840d";
 constexpr std::string_view k802s = "sinumerik802s";

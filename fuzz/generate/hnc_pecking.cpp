@@ -84,8 +84,11 @@ void HncWriter::drill_block() {
   mode_words(words);
   const bool entry = enter(words, 74);
   if (!lacks_axis(6, 40)) bottom_word(words, z, entry);
-  // X has no effect.
-  if (choices_.one_in(10)) words.push_back(axis_word(x, 30));
+  // X has no effect, or is where it drills.
+  if (choices_.one_in(10)) {
+    words.push_back(axis_word(x, 30));
+    if (profile_.readings.is("hnc.g74.x=first"_reading)) at_[x].reset();
+  }
   feed_words(words, entry, "I");
   write(std::move(words));
 }

@@ -126,6 +126,12 @@ void SinumerikWriter::rotation_words(Words& words, bool adds) {
 void SinumerikWriter::frame_block() {
   kind_ = Kind::frame;
   may_assign_ = false;
+  // Where a pole goes no text says: the code of the plane takes it back before.
+  if (state_.pole[0].mm != 0 || state_.pole[1].mm != 0) {
+    text_ += fmt::format("G{}\n", state_.plane);
+    state_.pole = {};
+    forget_pole();
+  }
   const Place base = in_base();
   const SinumerikFrame before = state_.frame;
   const std::uint32_t kind = choices_.below(10);

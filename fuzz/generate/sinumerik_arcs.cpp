@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fuzz/generate/sinumerik_writer.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 namespace {
@@ -81,10 +82,12 @@ void SinumerikWriter::centre_words(Words& words, int plane, Pair offset) {
           named(centre_name(axis), value, choices_.one_in(6) ? How::incremental : How::plain));
     }
   };
-  // One of them may be left out where it is 0.
-  const bool names_p = offset.p != 0 || choices_.one_in(3);
+  // One of them may be left out where it is 0, unless the other alone makes a helix of it.
+  const bool needs_both =
+      plane != state_.plane && profile_.readings.is("sie.arc.plane=helix"_reading);
+  const bool names_p = offset.p != 0 || needs_both || choices_.one_in(3);
   if (names_p) put_offset(axes.p, offset.p);
-  if (offset.q != 0 || !names_p || choices_.one_in(3)) put_offset(axes.q, offset.q);
+  if (offset.q != 0 || !names_p || needs_both || choices_.one_in(3)) put_offset(axes.q, offset.q);
 }
 
 void SinumerikWriter::finish_arc(int plane, double p, double q) {

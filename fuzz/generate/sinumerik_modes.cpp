@@ -67,6 +67,8 @@ void SinumerikWriter::mode_words(Words& words) {
     default:
       words.push_back(choices_.one_in(4) ? choices_.pick({"T2", "D1"})
                                          : code_that_is(Treatment::without_effect));
+      // Under a frame no text says what it leaves out of a motion.
+      if (is_802s() && words.back() == "G53") words.back() = "G500";
   }
 }
 
@@ -146,7 +148,7 @@ void SinumerikWriter::outside_block() {
                                              "CHF=2",
                                              "IF R1>5 GOTOF ENDE"};
   static constexpr const char* kAlarm[] = {
-      "G5",         "G21",       "G28",         "G43",     "G81",
+      "G6",         "G21",       "G28",         "G43",     "G81",
       "G158",       "G259",      "G999",        "G1.5",    "LCYC75",
       "LCYC82",     "LCYC99",    "FRAESEN",     "TIEFE=5", "E5",
       "Q3",         "M100",      "S-5",         "X=5/0",   "R1=2/(3-3)",

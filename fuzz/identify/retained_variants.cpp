@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <iterator>
 #include <map>
 #include <set>
@@ -161,7 +162,7 @@ void add_carried_over(const Observation& departure, const ProgramText& program, 
 }
 
 // A later block of a cycle names one axis: the others of the cycle do not move, where they have the
-// last end point. A way of nothing says so.
+// last end point. A way of nothing says so; that of an axis outside the plane would be an alarm.
 std::optional<std::string> standing_still(const ProgramText& program, const Motions& motions) {
   std::set<std::string> ways;  // along the axes that the cycle has named so far
   return edited_in_order(program, [&](const TextBlock& block) -> std::string {
@@ -178,7 +179,9 @@ std::optional<std::string> standing_still(const ProgramText& program, const Moti
       const bool is_given = block.find(place) != nullptr || block.find(way) != nullptr;
       moves = moves || is_given;
       if (is_given) ways.insert(way);
-      if (!is_given && ways.contains(way)) more += fmt::format(" {}0", way);
+      const char outside = reference::letter(reference::axes_of(block.modes.plane).d);
+      const bool may_stand = std::tolower(place[0]) != outside;
+      if (!is_given && may_stand && ways.contains(way)) more += fmt::format(" {}0", way);
     }
     return moves ? more : "";
   });

@@ -24,7 +24,7 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
      r"Slash missing after first atan", "syntax"),
     (r"Unknown [gm] code used|Negative g code used|G.code out of range|M.code greater than \d+", "undefined-code"),
     (r"sub: o.* found in illegal location", "syntax"),
-    (r"Line number greater than", "syntax"),
+    (r"Line number greater than|Command too long", "syntax"),
     (r"Multiple \S+ words on one line|Two [gm] codes used from same modal group|"
      r"Too many m codes on line", "duplicate-word"),
     (r"Mixed radius ijk format", "conflicting-words"),

@@ -21,14 +21,18 @@ std::string alarm_text(const reference::AlarmReport& report) {
 // Adds an item to the trial's steps and path, a step for each motion.
 class Collector {
  public:
-  Collector(ExampleRun& trial, report::PathSampler& sampler) : trial_(trial), sampler_(sampler) {}
+  Collector(ExampleRun& trial, report::PathSampler& sampler, const reference::Position& start)
+      : trial_(trial), sampler_(sampler), texts_(start) {}
 
   void operator()(const reference::Record& record) {
     if (!sampler_.add(record)) throw std::runtime_error("an example is too long to be drawn");
     trial_.steps.push_back(
-        {record.block, motion_text(record), record.clause, is_motion(record.kind)});
+        {record.block, texts_.next(record), record.clause, is_motion(record.kind)});
   }
-  void operator()(const reference::Renaming& renaming) { sampler_.rename(renaming.shift); }
+  void operator()(const reference::Renaming& renaming) {
+    sampler_.rename(renaming.shift);
+    texts_.rename(renaming.shift);
+  }
   void operator()(const reference::AlarmReport& report) {
     const reference::ClauseId clause = report.alarms.front().clause;
     sampler_.add_end("alarm", report.block, reference::clause_name(clause), "");
@@ -46,6 +50,7 @@ class Collector {
  private:
   ExampleRun& trial_;
   report::PathSampler& sampler_;
+  MotionTexts texts_;
 };
 
 template <typename Take>
@@ -101,7 +106,7 @@ void choose(reference::Profile& profile, std::string_view reading, std::string_v
 ExampleRun try_program(const reference::Profile& profile, std::string_view program) {
   ExampleRun trial;
   report::PathSampler sampler(profile.initial.at);
-  Collector collect(trial, sampler);
+  Collector collect(trial, sampler, profile.initial.at);
   for_each_item(profile, program, reference::OpenPaths::shown,
                 [&](const reference::Item& item) { std::visit(collect, item); });
   trial.path = sampler.take();

@@ -16,9 +16,9 @@ using reference::RecordKind;
 
 constexpr int kShownDecimals = 6;
 
-std::string feed_text(const Record& record) {
+std::string feed_text(const Record& record, bool in_degrees = false) {
   return fmt::format("{} {}", shown_number(record.feed),
-                     record.feed_mode == reference::FeedMode::per_revolution ? "mm/rev" : "mm/min");
+                     reference::feed_unit(record.feed_mode, in_degrees));
 }
 
 std::string arc_text(const Record& record) {
@@ -58,13 +58,15 @@ std::string point_text(const Position& at, const AxisSet& axes) {
   return text;
 }
 
-std::string motion_text(const Record& record) {
+namespace {
+
+std::string motion_text(const Record& record, const Position& from) {
   const std::string to = point_text(record.to, record.axes);
   switch (record.kind) {
     case RecordKind::rapid:
       return "rapid to " + to;
     case RecordKind::feed:
-      return fmt::format("feed to {}, {}", to, feed_text(record));
+      return fmt::format("feed to {}, {}", to, feed_text(record, turns_alone(record, from)));
     case RecordKind::arc:
       return arc_text(record);
     case RecordKind::arc3:
@@ -81,6 +83,24 @@ std::string motion_text(const Record& record) {
       return "end at " + to;
   }
   return {};
+}
+
+}  // namespace
+
+std::string MotionTexts::next(const Record& record) {
+  std::string text = motion_text(record, at_);
+  pass(record);
+  return text;
+}
+
+void MotionTexts::pass(const Record& record) {
+  for (const Axis axis : reference::kAllAxes) {
+    if (record.axes.has(axis)) at_[axis] = record.to[axis];
+  }
+}
+
+void MotionTexts::rename(const Position& shift) {
+  for (const Axis axis : reference::kAllAxes) at_[axis] += shift[axis];
 }
 
 }  // namespace gonogo::oracle::manual

@@ -15,7 +15,19 @@ std::string shown_number(const reference::Number& value);
 char capital(reference::Axis axis);
 // "X25 Z-30": the coordinates along `axes`.
 std::string point_text(const reference::Position& at, const reference::AxisSet& axes);
-// "feed to X25 Z-30, 300 mm/min", with shown_number.
-std::string motion_text(const reference::Record& record);
+// The records of a program, one after another: "feed to X25 Z-30, 300 mm/min", with shown_number.
+class MotionTexts {
+ public:
+  explicit MotionTexts(const reference::Position& start) : at_(start) {}
+
+  std::string next(const reference::Record& record);
+  // A record that is not told.
+  void pass(const reference::Record& record);
+  // The place where the machine stands has another name: new less old coordinate.
+  void rename(const reference::Position& shift);
+
+ private:
+  reference::Position at_;  // what a feed counts depends on which axes move
+};
 
 }  // namespace gonogo::oracle::manual

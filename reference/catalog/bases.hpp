@@ -207,6 +207,7 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
      "Alarm 12060 of the control: two codes of one group in a block; '/' is read when skipping is "
      "on."},
     {"SIE-MOD-07", "The chapter on the constant cutting rate: G96, G961, G97, G971 and LIMS."},
+    {"SIE-MOD-08", kAsChosen},
     {"SIE-COM-01",
      "Alarms 10860, 14800, 12010 and 16420 of the control: no feed, a feed below zero, an address "
      "twice; a point has one kind of coordinates."},

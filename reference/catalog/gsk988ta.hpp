@@ -319,9 +319,10 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "One address twice, and two codes of one group, are an alarm; a parameter of the machine can "
      "let the later one win.",
      "reference/gsk988ta/words.cpp"},
-    {"GSK-COM-08", open, kBasic,
-     "F 0 is no feed and a negative F is an alarm. No text says so; our judgement.",
-     "reference/gsk988ta/words.cpp"},
+    named_otherwise({"GSK-COM-08", open, kBasic,
+                     "F 0 is no feed and a negative F is an alarm. No text says so; our judgement.",
+                     "reference/gsk988ta/words.cpp"},
+                    "value-sign value-out-of-range feed-missing"),
 
     {"GSK-MOD-01", open, kG110,
      "A cycle is entered by its code from outside, or from a cycle of another mode; G110 and G111 "
@@ -359,18 +360,19 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "its own block too, are positioned.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-07", open, kBasic,
-     "Retained words are lengths: units and planes do not change them; a retained increment is "
-     "taken from A again; a retained word of an axis outside the new plane waits. No text says so; "
-     "our judgement.",
+     "Retained words are lengths: units and planes do not change them, or clear them, or units "
+     "leave their numbers; a retained increment is taken from A again; a retained word of an "
+     "axis outside the new plane waits, or is cleared. No text says so; our judgement.",
      "reference/gsk988ta/cutting_cycle.cpp"},
     {"GSK-MOD-08", derived, kBasic,
      "The codes of group 00 are G04, G28 and G50; all but G04 clear the retained words of G94, "
      "none clears I L Q D.",
      "reference/gsk988ta/basic_motion.cpp"},
-    {"GSK-MOD-09", open, kBasic,
-     "A code of group 01 and a code of the milling cycles exclude each other in a block. No text "
-     "says so; our judgement.",
-     "reference/gsk988ta/words.cpp"},
+    named_otherwise({"GSK-MOD-09", open, kBasic,
+                     "A code of group 01 and a code of the milling cycles exclude each other in a "
+                     "block. No text says so; our judgement.",
+                     "reference/gsk988ta/words.cpp"},
+                    "duplicate-word"),
 });
 
 }  // namespace gonogo::reference::catalog

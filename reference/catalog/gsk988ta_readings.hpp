@@ -36,6 +36,12 @@ inline constexpr auto kGskReadings = of_dialect(
          .clause = "GSK-G94-09"_clause,
          .text = "a taper R of G94 against the travel and larger than it: run as it stands, or an "
                  "alarm"},
+        {.name = "gsk.retained",
+         .alternatives = {"keep", "clear", "number", "in-plane"},
+         .clause = "GSK-MOD-07"_clause,
+         .text = "what a cutting cycle retains where units or the plane change: kept, or cleared; "
+                 "with other units kept as the same numbers; with another plane kept but for the "
+                 "axis outside it"},
         {.name = "gsk.g92.lead",
          .alternatives = {"own", "feed"},
          .clause = "GSK-G92-06"_clause,
@@ -181,6 +187,16 @@ inline constexpr auto kGskReadings = of_dialect(
          .clause = "GSK-MOD-05"_clause,
          .text = "the initial plane of a milling cycle under G50: renamed with the position, or "
                  "its coordinate kept"},
+        {.name = "gsk.feed-units",
+         .alternatives = {"length", "number"},
+         .clause = "GSK-COM-05"_clause,
+         .text = "F of an earlier block behind a change between G20 and G21: the same speed, or "
+                 "the same number in the new units"},
+        {.name = "gsk.feed-change",
+         .alternatives = {"kept", "deleted"},
+         .clause = "GSK-COM-05"_clause,
+         .text = "F of an earlier block behind a change between G98 and G99: it stays in force, or "
+                 "a new one is due"},
         {.name = "gsk.rotary-feed-inch",
          .alternatives = {"scaled", "degrees"},
          .clause = "GSK-COM-05"_clause,

@@ -60,15 +60,17 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "thread, "
      "in inches or as threads to the inch.",
      "reference/hnc21t/g82.cpp"},
-    {"HNC-G82-08", open, kG82,
-     "A lead is above zero, and a later one replaces the one in force. R, E, Q, C and P are judged "
-     "on the values in force. Z is the long one of equal travels; X counts as a radius. No text "
-     "says so; our judgement.",
-     "reference/hnc21t/g82.cpp"},
+    named_otherwise(
+        refused_by_some({"HNC-G82-08", open, kG82,
+                         "A lead is above zero, and a later one replaces the one in force. No "
+                         "text says so; our judgement.",
+                         "reference/hnc21t/interpreter.cpp"},
+                        "conflicting-words"),
+        "value-out-of-range lead-missing"),
     {"HNC-G82-09", open, kG82,
      "Start angles count modulo 360 degrees; the run-out keeps the lead and the start of its "
-     "thread; the passes come in the order of k. The signs of R and E are free. No text says so; "
-     "our judgement.",
+     "thread; the passes come in the order of k, or of falling k. The signs of R and E are free. "
+     "No text says so; our judgement.",
      "reference/hnc21t/g82.cpp"},
     {"HNC-G82-10", must, kG82,
      "Feed hold, the meaning of Q and the versions that have it change nothing in the path.",
@@ -84,9 +86,9 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     {"HNC-G74-03", must, kG74, "Without a withdrawal: feed to Z, traverse to A.",
      "reference/hnc21t/g74.cpp"},
     {"HNC-G74-04", open, kG74,
-     "Nothing limits the withdrawal. X and U in a block of G74 have no effect. The third way of "
-     "drilling that the text announces is not described, so there is none. No text says more; our "
-     "judgement.",
+     "Nothing limits the withdrawal. X and U in a block of G74 have no effect, or the tool is "
+     "positioned there first. The third way of drilling that the text announces is not described, "
+     "so there is none. No text says more; our judgement.",
      "reference/hnc21t/g74.cpp"},
     {"HNC-G74-05", derived, kG74,
      "A withdrawal needs a depth of a peck; without a withdrawal that depth has no effect.",
@@ -107,7 +109,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/hnc21t/g75.cpp"},
     {"HNC-G75-05", open, kG75,
      "A number of steps from an earlier block counts only in a block with Z or W. A width of zero "
-     "plunges at one place again and again. No text says so; our judgement.",
+     "plunges at one place again and again, or once. No text says so; our judgement.",
      "reference/hnc21t/g75.cpp"},
     {"HNC-MOD-01", must, kSimple,
      "G74, G75, G80, G81 and G82 are one modal group. I K R E C A P F J Q given in one of them are "
@@ -125,13 +127,15 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "F of G74, G75, G80 and G81 is the ordinary feed. A lead never becomes a feed, nor a feed a "
      "lead; G32 needs a lead of its own.",
      "reference/hnc21t/interpreter.cpp"},
-    refused_by_some(
-        {"HNC-MOD-05", open, kSimple,
-         "The same code again is no change of command. A code without an axis word stores its "
-         "words and moves nothing. Y and V are not words of a lathe. G18 is the only plane; G40, "
-         "G96 and G97 have no effect. No text says so; our judgement.",
-         "reference/hnc21t/interpreter.cpp"},
-        "missing-word"),
+    named_otherwise(
+        refused_by_some({"HNC-MOD-05", open, kSimple,
+                         "The same code again is no change of command, or it is one. A code or a "
+                         "word of a cycle without an axis word is stored and moves nothing, or the "
+                         "cycle runs again. Y and V are not words of a lathe. G18 is the only "
+                         "plane; G40, G96 and G97 have no effect. No text says so; our judgement.",
+                         "reference/hnc21t/interpreter.cpp"},
+                        "missing-word"),
+        "undefined-code axis-not-in-plane unused-word syntax"),
     {"HNC-COM-01", derived, kBasic,
      "A missing required word, a code that the maker lacks, unreadable text and a cut without a "
      "feed are alarms. A blank may stand between a letter and its number. Basic codes: G00 to G04, "

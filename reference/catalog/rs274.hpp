@@ -127,6 +127,23 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "A line ends with a line feed, behind a carriage return or alone. A carriage return without a "
      "line feed ends one, too, or is a blank and counts no line.",
      "reference/rs274/interpreter.cpp", Basis::text},
+    refused_by_some(
+        {"NGC-COM-14", open, kBlocks,
+         "M6 changes to the tool of the last T, and runs where there was none. No text says "
+         "whether it may; our judgement.",
+         "reference/rs274/interpreter.cpp", Basis::silent},
+        "no-tool missing-word"),
+    refused_by_some(
+        {"NGC-COM-15", open, kBlocks,
+         "A switch of M50 to M53 that is neither 0 nor 1, a pin of M62 to M68 that is not one of 0 "
+         "to 3, L of M66 above 4, and M67 and M68 without Q do what the machine has there. No text "
+         "says which pins a machine has; our judgement.",
+         "reference/rs274/m_functions.cpp", Basis::silent},
+        "value-out-of-range value-sign not-an-integer missing-word"),
+    {"NGC-COM-16", open, kBlocks,
+     "A line has 256 characters at most, its comments included, and what the documents do not allow "
+     "is an alarm. They call the number a current one: a control may read more.",
+     "reference/rs274/interpreter.cpp", Basis::text},
     {"NGC-MOD-03", open, kModes,
      "G94 is units per minute. What it leaves of the feed in force no text says: LinuxCNC has none "
      "until F is given, in this block or later; NIST's interpreter keeps it.",
@@ -186,8 +203,9 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "forgets "
      "them, M73 saves them and restores them where the subroutine ends. They are units, plane, the "
      "modes of distances, centres, diameters, feed and speed, the coordinate system, F, and the "
-     "return of cycles, not the motion. M72 without M70 is an alarm. Where a spindle, coolant or "
-     "tool length would have to be restored, the gauge does not read on.",
+     "return of cycles, not the motion. F is restored as the number that was written, in the units that "
+     "are restored. M72 without M70 is an alarm. Where a spindle, coolant, an override or a tool "
+     "length would have to be restored, the gauge does not read on.",
      "reference/rs274/modes.cpp"},
     {"NGC-MOD-02", open, kLines,
      "G0 and G1 without an axis word: an alarm to NIST's interpreter; to LinuxCNC no motion, and "

@@ -31,9 +31,12 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
     {"NGC-PAR-04", must, kParameters,
      "Parameters above #5000 and names of the language's own say what is in force. Read are #5220, "
      "#5420 to #5423 and #5425 (the position, in coordinates and units of the program), #<_x> "
-     "#<_y> "
-     "#<_z> #<_a> #<_c>, #<_metric> #<_imperial> #<_absolute> #<_incremental>, #<_value> and "
-     "#<_value_returned>; the others, and settings of any, the gauge does not read.",
+     "#<_y> #<_z> #<_a> #<_c>, #<_plane> and #<_coord_system> (ten times the G code), #<_feed> "
+     "while the units are those of F, #<_value> and #<_value_returned>; and as 1 or 0 #<_metric> "
+     "#<_imperial> #<_absolute> #<_incremental> #<_ijk_absolute_mode>, #<_inverse_time> "
+     "#<_units_per_minute> #<_units_per_rev>, #<_spindle_on> #<_spindle_cw> #<_spindle_css_mode> "
+     "#<_spindle_rpm_mode>, #<_mist> and #<_flood>. #5599, which says whether messages are shown, "
+     "is 1 until it is set. The others, and their settings, the gauge does not read.",
      "reference/rs274/expression.cpp"},
     {"NGC-EXP-01", must, kExpressions,
      "In brackets ** goes before * / MOD, these before + -, then EQ NE GT GE LT LE, then AND OR "

@@ -129,6 +129,11 @@ inline constexpr auto kNgcReadings = of_dialect(
          .text = "a carriage return without a line feed: ends a line; or is a blank, as NIST's "
                  "interpreter, LinuxCNC, grblHAL and uCNC have it. Open, and asked for only where "
                  "there is one before other text"},
+        {.name = "ngc.long-line",
+         .alternatives = {"read", "syntax"},
+         .clause = "NGC-COM-16"_clause,
+         .text = "a line of more than 256 characters: read; or an alarm, as the documents have it. "
+                 "Open, and asked for only where there is one"},
         {.name = "ngc.alarm-dwell",
          .alternatives = {"none", "dwells"},
          .clause = "NGC-G4-02"_clause,

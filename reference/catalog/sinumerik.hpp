@@ -81,7 +81,8 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "reference/sinumerik/arc.cpp"},
     {"SIE-ARC-12", derived, kArcs,
      "Two end-point axes that are not the plane's choose the plane, unless TURN=, AR= or a centre "
-     "word of the plane's other axis makes a helix of it.",
+     "word of the plane's other axis makes a helix of it. By the centre word of the common axis "
+     "alone it may be a helix, too, whose other centre word is 0.",
      "reference/sinumerik/arc.cpp"},
     {"SIE-ARC-13", derived, kArcs,
      "TURN= is whole, 0 to 999, and belongs to G2 and G3; beside CIP and CT it is 0 and adds "
@@ -135,7 +136,10 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "G96 "
      "and G961 S is a cutting speed; how fast the spindle turns is not known until an S counts "
      "revolutions again, and G4 S is not covered. The 802S has only G96 and G97.",
-     "reference/sinumerik/interpreter.cpp"},
+     "reference/sinumerik/feed_and_speed.cpp"},
+    {"SIE-MOD-08", derived, kModes,
+     "Whether F stays in force where the feed changes between minutes and revolutions is open.",
+     "reference/sinumerik/basic_motion.cpp"},
     {"SIE-COM-01", derived, kModes,
      "Cutting needs a feed. An address twice, a code that the control lacks, and Cartesian with "
      "polar words are alarms.",

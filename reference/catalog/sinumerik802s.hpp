@@ -29,7 +29,8 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "reference/sinumerik/frame.cpp"},
     {"SIE-FRM-04", derived, kFrames,
      "Codes of frames stand alone and move nothing: an axis not named afterwards stays where the "
-     "tool is. G158 and G258 replace translation and rotation.",
+     "tool is. G158 and G258 replace translation and rotation. What a frame makes of a pole that "
+     "was put before it, and what G53 leaves out of one, is open and not read.",
      "reference/sinumerik/frame.cpp"},
     {"SIE-LC82-01", derived, kDrilling,
      "LCYC82 drills where the tool stands: traverse to R103 + R102, feed to R104, dwell of R105 "

@@ -23,6 +23,12 @@ inline constexpr auto kSinumerikPathReadings = of_dialect(
          .clause = "SIE-ARC-11"_clause,
          .text = "by how much a chord may exceed twice CR: not at all, or by CIRCLE_ERROR_CONST "
                  "(the arc is then half a turn about the chord's middle)"},
+        {.name = "sie.arc.plane",
+         .alternatives = {"ends", "helix"},
+         .fallback = "ends",
+         .clause = "SIE-ARC-12"_clause,
+         .text = "an arc to two axes that are not the plane's, by the centre word of the common "
+                 "axis alone: in the plane of these axes, or a helix of the plane in force"},
         {.name = "sie.ar.zero",
          .alternatives = {"none", "alarm"},
          .clause = "SIE-ARC-05"_clause,
@@ -50,6 +56,11 @@ inline constexpr auto kSinumerikPathReadings = of_dialect(
          .alternatives = {"mm", "inch"},
          .clause = "SIE-MOD-04"_clause,
          .text = "F under G70: millimetres, or inches"},
+        {.name = "sie.feed-change",
+         .alternatives = {"kept", "deleted"},
+         .clause = "SIE-MOD-08"_clause,
+         .text = "F where G94, G95, G96, G961, G97 or G971 changes the feed between minutes and "
+                 "revolutions: it stays in force, or a new one is due"},
     }));
 
 inline constexpr auto kSinumerikCycleReadings = of_dialect(

@@ -12,6 +12,12 @@
 namespace gonogo::reference::gsk988ta {
 namespace {
 
+// What a feed is counted in.
+struct FeedBasis {
+  Units units = Units::mm;
+  FeedMode mode = FeedMode::per_minute;
+};
+
 class Interpreter : public BlockInterpreter {
  public:
   Interpreter(const Profile& profile, const ReadingsInUse& readings, OpenPaths open_paths)
@@ -36,9 +42,11 @@ class Interpreter : public BlockInterpreter {
   bool takes_each_m(const grammar::Block& block) const;
   bool later_wins(const grammar::Block& block, std::string_view may_repeat) const;
   void take_modes(const BlockCodes& codes);
+  void carry_cut(bool units_change);
   void take_motion_code(BlockContext& block);
   void take_cycle_code(BlockContext& block);
   void take_feed(const BlockWords& words);
+  void carry_feed(const FeedBasis& before);
   bool has_stray_word(const BlockContext& block) const;
   void check_words(const BlockContext& block, bool last_wins, std::string_view may_repeat) const;
   void check_cycle_words(const BlockContext& block, bool last_wins) const;
@@ -74,8 +82,26 @@ bool Interpreter::later_wins(const grammar::Block& block, std::string_view may_r
   return readings_.is("gsk.duplicate=last"_reading);
 }
 
+// GSK-MOD-07: what a cutting cycle retains, where units or the plane change.
+void Interpreter::carry_cut(bool units_change) {
+  RetainedCut& cut = machine_.cut;
+  if (cut.empty()) return;
+  if (readings_.is("gsk.retained=clear"_reading)) return cut.clear();
+  if (readings_.is("gsk.retained=in-plane"_reading)) {
+    cut.end_point[index(axes_of(machine_.plane).d)].reset();
+  }
+  if (!units_change || !readings_.is("gsk.retained=number"_reading)) return;
+  const Number factor = machine_.units == Units::inch ? inches(1) : Number(1) / inches(1);
+  for (std::optional<AxisWord>& word : cut.end_point) {
+    if (word) word->value = word->value * factor;
+  }
+  cut.taper = cut.taper * factor;
+}
+
 // Planes, units and feed modes hold from their block on.
 void Interpreter::take_modes(const BlockCodes& codes) {
+  const Plane plane = machine_.plane;
+  const Units units = machine_.units;
   if (codes.units >= 0) machine_.units = codes.units == 20 ? Units::inch : Units::mm;
   if (codes.feed_mode >= 0) {
     machine_.feed_mode = codes.feed_mode == 99 ? FeedMode::per_revolution : FeedMode::per_minute;
@@ -85,6 +111,8 @@ void Interpreter::take_modes(const BlockCodes& codes) {
     // GSK-MOD-05: within the mode the initial plane is then that of the new depth axis.
     machine_.milling.initial_plane = machine_.position[axes_of(machine_.plane).d];
   }
+  const bool units_change = units != machine_.units;
+  if (units_change || plane != machine_.plane) carry_cut(units_change);
 }
 
 void Interpreter::take_motion_code(BlockContext& block) {
@@ -136,6 +164,21 @@ void Interpreter::take_cycle_code(BlockContext& block) {
              readings_.is("gsk.thread.modal=none"_reading)) {
     leave_milling_mode();  // GSK-MOD-04
   }
+}
+
+// F of an earlier block where the units change, or the feed between minutes and revolutions.
+void Interpreter::carry_feed(const FeedBasis& before) {
+  if (machine_.feed.sign() <= 0) return;
+  if (machine_.feed_mode != before.mode && readings_.is("gsk.feed-change=deleted"_reading)) {
+    machine_.feed = 0;
+    machine_.has_feed = false;
+    return;
+  }
+  if (machine_.units == before.units || !machine_.has_feed)
+    return;  // one of power-on has no number
+  if (readings_.is("gsk.feed-units=length"_reading)) return;
+  machine_.feed_in_inch = machine_.units == Units::inch;
+  machine_.feed = machine_.feed_in_inch ? inches(machine_.feed) : machine_.feed / inches(1);
 }
 
 void Interpreter::take_feed(const BlockWords& words) {
@@ -303,6 +346,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   out.alarms = std::move(reading_.alarms);
 
   const BlockCodes& codes = reading_.codes;
+  const FeedBasis before{machine_.units, machine_.feed_mode};
   take_modes(codes);
   const bool round = codes.once != 4 && has_fine_words(block, profile_, machine_.units) &&
                      readings_.is("gsk.decimals=nearest"_reading);
@@ -315,6 +359,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   put_m_functions(context, each_m);
   if (!has_wrong_codes && has_stray_word(context)) return;
   check_words(context, last_wins, may_repeat);
+  carry_feed(before);
   take_feed(words);
   if (out.notes_acceptances) note_unused_words(context);
   run_code(context);

@@ -34,15 +34,29 @@ void take_command_words(BlockContext& block) {
 
 namespace {
 
+// HNC-MOD-01, HNC-MOD-05: whether the block has the code of its cycle, or a word that the cycles
+// alone retain.
+bool speaks_of_cycle(const BlockContext& block) {
+  const auto has_word = [&](char address) { return block.words.has(address); };
+  return block.codes.motion >= 0 || std::ranges::any_of(std::string_view("IKRECAPJQ"), has_word);
+}
+
+// hnc.empty-block: whether the cycle runs again, to the end that it had. A groove may have had a
+// width, which no block retains.
+bool runs_again(const BlockContext& block, std::span<const AxisAddresses> needed) {
+  const auto is_known = [&](const AxisAddresses& axis) {
+    return block.machine.command.end(axis.axis).has_value();
+  };
+  const bool has_own = speaks_of_cycle(block) || block.words.has('F');
+  return block.machine.motion != 75 && has_own && std::ranges::all_of(needed, is_known) &&
+         block.readings.is("hnc.empty-block=repeat"_reading);
+}
+
 // HNC-MOD-05. Other makers write some of these cycles in two lines, the first of them without an
 // end.
 void note_no_travel(const BlockContext& block) {
+  if (speaks_of_cycle(block)) block.out.accept("HNC-MOD-05"_clause);
   if (block.codes.motion < 0 || block.words.block().words.size() < 2) return;
-  const auto is_of_cycle = [](const grammar::Word& word) {
-    return std::string_view("GFMSTN").find(word.address) == std::string_view::npos;
-  };
-  if (std::ranges::any_of(block.words.block().words, is_of_cycle))
-    block.out.accept("HNC-MOD-05"_clause);
   block.out.warnings.push_back(
       {fmt::format("G{} without X and Z cuts nothing: its words hold on, and the cycle of this "
                    "control stands in one line with its end point.",
@@ -54,6 +68,7 @@ void note_no_travel(const BlockContext& block) {
 
 bool does_nothing(const BlockContext& block, std::span<const AxisAddresses> needed) {
   if (!block.words.has_axis_word()) {
+    if (runs_again(block, needed)) return false;
     note_no_travel(block);
     return true;
   }
@@ -66,6 +81,8 @@ std::optional<Number> cycle_end_point(BlockContext& block, const AxisAddresses& 
   std::optional<Number>& last = block.machine.command.end(axis.axis);
   if (auto word = block.commanded(axis)) {
     last = word;
+  } else if (!block.words.has_axis_word()) {
+    return last;  // hnc.empty-block = repeat
   } else if (block.readings.is("hnc.missing-axis=none"_reading)) {
     last = block.machine.position[axis.axis];
   } else if (!last || !block.readings.is("hnc.missing-axis=keep"_reading)) {

@@ -83,7 +83,7 @@ inline constexpr IgnoredWords kUnwithdrawn = {
 inline constexpr std::array<IgnoredWords, 1> kCutting = {kOfCycles};
 inline constexpr auto kDrilling = std::to_array<IgnoredWords>({
     kUnwithdrawn,
-    {"", "X U", "HNC-G74-04"_clause, "drilling goes along Z alone"},
+    {"", "X U", "HNC-G74-04"_clause, "drilling goes along Z alone, or as hnc.g74.x says"},
     kOfCycles,
 });
 inline constexpr auto kGrooving = std::to_array<IgnoredWords>({

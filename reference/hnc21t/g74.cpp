@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G74, deep drilling of the face: from A, where the tool stands, along Z to the bottom of the hole
-// and back. HNC-G74-04: X and U have no effect; of the three ways that the text announces it
-// describes two.
+// and back. HNC-G74-04: X and U have no effect, or as a reading says the tool is positioned there
+// first; of the three ways that the text announces it describes two.
 #include "reference/clause_literal.hpp"
 #include "reference/hnc21t/pecking.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::hnc21t {
+
+namespace {
+
+void position_x(BlockContext& block) {
+  const std::optional<Number> x = block.commanded(kX);
+  if (!x || *x == block.machine.position[Axis::x]) return;
+  if (block.readings.is("hnc.g74.x=none"_reading)) return;
+  block.rapid("HNC-G74-01"_clause, {{Axis::x, *x}});
+}
+
+}  // namespace
 
 void run_g74(BlockContext& block) {
   // HNC-G74-02, HNC-G74-03: pecks with withdrawals, or straight to the bottom.
@@ -18,6 +30,7 @@ void run_g74(BlockContext& block) {
   const Plunge plunge =
       plan_plunge(block, Axis::z, bottom.value_or(block.machine.position[Axis::z]), kClauses);
   if (!block.out.alarms.empty() || block.out.not_covered) return;
+  position_x(block);
   block.out.cycle = run_plunge(plunge);
 }
 

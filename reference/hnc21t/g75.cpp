@@ -89,7 +89,11 @@ void widen(BlockContext& block, Groove& groove, const Number& steps) {
   const bool as_many = block.readings.is("hnc.g75.steps=i"_reading);
   groove.plunges = as_many ? steps : steps + 1;
   groove.intervals = groove.plunges - 1;
-  if (groove.width.sign() == 0) return;
+  if (groove.width.sign() == 0) {
+    const bool may_be_one = groove.plunges > Number(1);
+    if (may_be_one && block.readings.is("hnc.g75.zero-width=once"_reading)) groove.plunges = 1;
+    return;
+  }
   groove.returns = block.readings.is("hnc.g75.end=start"_reading);
   if (!groove.returns) block.machine.position[Axis::z] = groove.start + groove.width;
 }

@@ -62,20 +62,43 @@ void check_pair(BlockContext& block, const RunOut& run_out) {
               "A run-out needs both R and E.");
 }
 
-// HNC-G82-04, HNC-G82-08: short axis over long axis, at most 20. The long axis is that of the
+// HNC-G82-12: a word whose partner is in force from an earlier block.
+void note_lone_words(const BlockContext& block) {
+  const BlockWords& words = block.words;
+  const CommandWords& command = block.machine.command;
+  const bool is_run_out = command.r && command.e && words.has('R') != words.has('E');
+  const bool counts = command.c.value_or(0) > Number(1) && words.has('C') && !words.has('P');
+  if (is_run_out || (counts && command.p)) block.out.accept("HNC-G82-12"_clause);
+}
+
+// HNC-G82-13: whether the other axis is the long one of some travels, to C from A or from B, X as a
+// radius or as a diameter.
+bool is_long_otherwise(const BlockContext& block, const Number& travel_z, const EndPoint& c,
+                       bool long_z) {
+  const Number from_b = abs(block.machine.command.i.value_or(0));
+  const Number from_a = abs(c.x - block.machine.position[Axis::x]);
+  if (!long_z) return min(from_a, from_b) <= travel_z;
+  return max(from_a, from_b) * (block.words.modes().diameter ? 2 : 1) >= travel_z;
+}
+
+// HNC-G82-04, HNC-G82-13: short axis over long axis, at most 20. The long axis is that of the
 // longer travel from B to C; of equal travels it is Z.
-void check_ratio(BlockContext& block, const RunOut& run_out, const Number& c_z) {
+void check_ratio(BlockContext& block, const RunOut& run_out, const EndPoint& c) {
   const CommandWords& command = block.machine.command;
   if (!command.r || !command.e) return;
   const Number travel_x = abs(command.i.value_or(0));
-  const Number travel_z = abs(c_z - block.machine.position[Axis::z]);
+  const Number travel_z = abs(c.z - block.machine.position[Axis::z]);
   const Number x = abs(run_out.along_x);
   const Number z = abs(run_out.along_z);
   const bool long_z =
-      decided("HNC-G82-08"_clause, "abs(travel Z) - abs(travel X)", travel_z, travel_x) >= 0;
+      decided("HNC-G82-13"_clause, "abs(travel Z) - abs(travel X)", travel_z, travel_x) >= 0;
   const Number& across = long_z ? x : z;
   const Number& along = long_z ? z : x;
-  if (decided("HNC-G82-04"_clause, "short - 20 long", across, along * 20) <= 0) return;
+  if (decided("HNC-G82-04"_clause, "short - 20 long", across, along * 20) <= 0) {
+    const bool is_disputed = along > across * 20 && is_long_otherwise(block, travel_z, c, long_z);
+    if (is_disputed) block.out.accept("HNC-G82-13"_clause);
+    return;
+  }
   block.alarm(
       AlarmClass::retract_ratio, "HNC-G82-04"_clause, block.words.has('E') ? 'E' : 'R',
       with_values(long_z
@@ -113,6 +136,7 @@ struct ThreadPath {
   Number passes;
   Number lead;
   bool exits_as_thread = false;
+  bool last_first = false;  // hnc.g82.order = falling
 
   Record thread(ClauseId clause, const Number& x, const Number& z, const Number& start) const {
     Record record;
@@ -136,7 +160,7 @@ Generator<Item> cut_thread(ThreadPath path) {
   const Number out_x = c.x + path.run_out.along_x;
   const Number out_z = c.z + path.run_out.along_z;
   for (Number k = 0; k < path.passes; k += 1) {
-    const Number start = start_angle(path.command, k);
+    const Number start = start_angle(path.command, path.last_first ? path.passes - 1 - k : k);
     co_yield path.motions.rapid(clause, Axis::x, c.x + i);
     co_yield path.thread(clause, c.x, c.z, start);
     if (path.run_out.any()) co_yield path.thread("HNC-G82-02"_clause, out_x, out_z, start);
@@ -162,12 +186,14 @@ void run_g82(BlockContext& block) {
   }
   const RunOut run_out = run_out_of(block);
   check_pair(block, run_out);
-  if (c) check_ratio(block, run_out, c->z);
+  note_lone_words(block);
+  if (c) check_ratio(block, run_out, *c);
   const Number passes = passes_of(block);
   if (!block.out.alarms.empty()) return;
 
   const Position& a = block.machine.position;
   block.name_corners(Axis::x, Axis::z, command.i.value_or(0), c->over(a));
+  const bool falls = passes > Number(1) && block.readings.is("hnc.g82.order=falling"_reading);
   block.out.cycle = cut_thread({.motions = CycleMotions(block),
                                 .command = command,
                                 .a_x = a[Axis::x],
@@ -176,7 +202,8 @@ void run_g82(BlockContext& block) {
                                 .run_out = run_out,
                                 .passes = passes,
                                 .lead = block.lead(),
-                                .exits_as_thread = block.readings.is("hnc.g82.exit=feed"_reading)});
+                                .exits_as_thread = block.readings.is("hnc.g82.exit=feed"_reading),
+                                .last_first = falls});
 }
 
 }  // namespace gonogo::reference::hnc21t

@@ -7,13 +7,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "reference/clause_literal.hpp"
 #include "reference/hnc21t/cycle.hpp"
 #include "reference/hnc21t/word_use.hpp"
+#include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::hnc21t {
 namespace {
+
+// What a feed is counted in.
+struct FeedBasis {
+  bool inch = false;
+  FeedMode mode = FeedMode::per_minute;
+};
 
 class Interpreter : public BlockInterpreter {
  public:
@@ -26,8 +34,9 @@ class Interpreter : public BlockInterpreter {
  private:
   void take_modes(const BlockCodes& codes);
   void take_motion_code(const BlockCodes& codes);
-  void take_feed(const BlockWords& words);
-  void take_lead(const BlockWords& words);
+  void take_feed(const BlockWords& words, BlockOutput& out);
+  void take_lead(const BlockWords& words, BlockOutput& out);
+  void carry_feed(const FeedBasis& before);
   bool in_cycle(const BlockCodes& codes) const {
     return codes.once < 0 && is_cycle(machine_.motion);
   }
@@ -75,16 +84,39 @@ void Interpreter::take_modes(const BlockCodes& codes) {
 
 // HNC-MOD-02: without a code the one in force goes on, and any other motion code ends a cycle.
 void Interpreter::take_motion_code(const BlockCodes& codes) {
-  if (codes.motion < 0 || codes.motion == machine_.motion) return;  // HNC-MOD-05
+  if (codes.motion < 0) return;
+  // HNC-MOD-01, HNC-MOD-05: its words are forgotten; whether the same code again does so is open.
+  const bool is_same = codes.motion == machine_.motion;
+  const bool may_keep = is_same && (!is_cycle(codes.motion) || machine_.command.empty());
+  if (may_keep || (is_same && readings_.is("hnc.rewrite=keep"_reading))) return;
   machine_.motion = codes.motion;
-  machine_.command = {};  // HNC-MOD-01: its words are forgotten
+  machine_.command = {};
+}
+
+// F of an earlier block where the units change, or the feed between minutes and revolutions.
+void Interpreter::carry_feed(const FeedBasis& before) {
+  CommandWords& command = machine_.command;
+  const std::array feeds = {&machine_.latest_feed, &machine_.plain_feed, &command.feed};
+  const auto is_given = [](const std::optional<Number>* feed) { return feed->has_value(); };
+  if (std::ranges::none_of(feeds, is_given)) return;
+  if (machine_.feed_mode != before.mode && readings_.is("hnc.feed-change=deleted"_reading)) {
+    for (std::optional<Number>* feed : feeds) feed->reset();
+    return;
+  }
+  const bool inch = machine_.modes.inch;
+  if (inch == before.inch || !machine_.is_feed_written) return;  // one of power-on has no number
+  if (readings_.is("hnc.feed-units=length"_reading)) return;
+  for (std::optional<Number>* feed : feeds) {
+    if (*feed) *feed = inch ? inches(**feed) : **feed / inches(1);
+  }
 }
 
 // HNC-MOD-04
-void Interpreter::take_feed(const BlockWords& words) {
-  if (cuts_thread(machine_.motion)) return take_lead(words);
+void Interpreter::take_feed(const BlockWords& words, BlockOutput& out) {
+  if (cuts_thread(machine_.motion)) return take_lead(words, out);
   const std::optional<Number> feed = words.length('F');
   if (!feed) return;
+  machine_.is_feed_written = true;
   machine_.latest_feed = *feed;
   if (is_cycle(machine_.motion)) {
     machine_.command.feed = feed;
@@ -94,13 +126,14 @@ void Interpreter::take_feed(const BlockWords& words) {
 }
 
 // HNC-G82-08: a later one replaces the one in force.
-void Interpreter::take_lead(const BlockWords& words) {
+void Interpreter::take_lead(const BlockWords& words, BlockOutput& out) {
   using enum Lead::Kind;
+  std::optional<Lead>& lead = machine_.command.lead;
+  if (lead && words.has(lead->kind == j ? 'F' : 'J')) out.accept("HNC-G82-08"_clause);
   if (words.has('F')) {
-    machine_.command.lead =
-        Lead{words.written('F'), machine_.modes.inch ? f_under_g20 : millimetres};
+    lead = Lead{words.written('F'), machine_.modes.inch ? f_under_g20 : millimetres};
   }
-  if (words.has('J')) machine_.command.lead = Lead{words.written('J'), j};
+  if (words.has('J')) lead = Lead{words.written('J'), j};
 }
 
 // HNC-MOD-05: Y and V are no words of the cycles; anywhere else they are those of a mill program.
@@ -218,6 +251,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   const BlockCodes& codes = reading_.codes;
   out.alarms = std::move(reading_.alarms);
   const bool has_wrong_codes = !out.alarms.empty();
+  const FeedBasis before{machine_.modes.inch, machine_.feed_mode};
   take_modes(codes);
   take_motion_code(codes);
   const BlockWords words(block, machine_.modes);
@@ -240,7 +274,8 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   } else if (!out.not_covered) {
     BlockContext context{{machine_, words, profile_, readings_, line, out}, machine_, words, codes};
     check_words(words, codes, out);
-    take_feed(words);
+    carry_feed(before);
+    take_feed(words, out);
     if (out.notes_acceptances) note_unused_words(context);
     run_code(context);
   }

@@ -50,6 +50,9 @@ struct CommandWords {
   std::optional<Number> end_z;
 
   std::optional<Number>& end(Axis axis) { return axis == Axis::x ? end_x : end_z; }
+  bool empty() const {
+    return !i && !k && !c && !p && !r && !e && !q && !lead && !feed && !end_x && !end_z;
+  }
 };
 
 // Positions are in the base frame: the work offset in force is added to absolute words.
@@ -62,6 +65,7 @@ struct Machine : MotionState {
   // HNC-MOD-04: the last F that is no lead, and the last of those outside the cycles.
   std::optional<Number> latest_feed;
   std::optional<Number> plain_feed;
+  bool is_feed_written = false;  // by the program, not of power-on
 };
 
 // One block in the hands of the file that carries its code.

@@ -84,18 +84,59 @@ std::optional<Value> Calculator::of_machine(std::int64_t number) const {
   }
 }
 
+namespace {
+
+// NGC-PAR-04: names that are 1 while something is in force, else 0.
+struct Flag {
+  std::string_view name;
+  bool (*is_on)(const Machine& machine);
+};
+constexpr auto kFlags = std::to_array<Flag>({
+    {"_absolute", [](const Machine& machine) { return !machine.modes.incremental; }},
+    {"_flood", [](const Machine& machine) { return machine.has_flood; }},
+    {"_ijk_absolute_mode", [](const Machine& machine) { return machine.modes.absolute_centre; }},
+    {"_imperial", [](const Machine& machine) { return machine.modes.inch; }},
+    {"_incremental", [](const Machine& machine) { return machine.modes.incremental; }},
+    {"_inverse_time", [](const Machine& machine) { return machine.is_inverse_time; }},
+    {"_metric", [](const Machine& machine) { return !machine.modes.inch; }},
+    {"_mist", [](const Machine& machine) { return machine.has_mist; }},
+    {"_spindle_css_mode", [](const Machine& machine) { return machine.has_surface_speed; }},
+    {"_spindle_cw", [](const Machine& machine) { return machine.spindle == 3; }},
+    {"_spindle_on", [](const Machine& machine) { return machine.spindle_turns(); }},
+    {"_spindle_rpm_mode", [](const Machine& machine) { return !machine.has_surface_speed; }},
+    {"_units_per_minute",
+     [](const Machine& machine) {
+       return !machine.is_inverse_time && machine.feed_mode == FeedMode::per_minute;
+     }},
+    {"_units_per_rev",
+     [](const Machine& machine) {
+       return !machine.is_inverse_time && machine.feed_mode == FeedMode::per_revolution;
+     }},
+});
+
+// G54 is 540, G59.3 is 593.
+std::int64_t tenths_of_system(std::size_t system) {
+  constexpr std::size_t kG59 = 5;
+  return static_cast<std::int64_t>(system <= kG59 ? 540 + 10 * system : 590 + system - kG59);
+}
+
+}  // namespace
+
 // NGC-PAR-04
 std::optional<Value> Calculator::of_machine(std::string_view name) const {
   const WordModes& modes = machine_.modes;
+  const auto flag = std::ranges::find(kFlags, name, &Flag::name);
+  if (flag != kFlags.end()) return Value{truth(flag->is_on(machine_))};
   if (name == "_x") return of_machine(5420);
   if (name == "_y") return of_machine(5421);
   if (name == "_z") return of_machine(5422);
   if (name == "_a") return of_machine(5423);
   if (name == "_c") return of_machine(5425);
-  if (name == "_metric") return Value{truth(!modes.inch)};
-  if (name == "_imperial") return Value{truth(modes.inch)};
-  if (name == "_absolute") return Value{truth(!modes.incremental)};
-  if (name == "_incremental") return Value{truth(modes.incremental)};
+  if (name == "_plane") return Value{10 * plane_code(machine_.plane)};
+  if (name == "_coord_system") return Value{tenths_of_system(machine_.offsets.system)};
+  // What F is worth once the units have changed no text says.
+  const bool is_as_written = modes.length_of(machine_.rotary_feed) == machine_.feed;
+  if (name == "_feed" && is_as_written) return as_doubles_have(machine_.rotary_feed);
   if (name == "_value") return parameters_.returned.value_or(Value{});
   if (name == "_value_returned") return Value{truth(parameters_.returned.has_value())};
   return std::nullopt;
@@ -104,7 +145,7 @@ std::optional<Value> Calculator::of_machine(std::string_view name) const {
 bool Calculator::push_numbered(const grammar::Term& term) {
   const auto number = number_of_parameter(stack_.back().number, term.where);
   if (!number) return false;
-  if (*number <= kLastUserParameter) {
+  if (is_of_program(*number)) {
     Value value = parameters_.numbered(*number);
     // NGC-OWD-02
     if (parameters_.is_inherited(*number) && value.number.sign() != 0 &&
@@ -202,7 +243,7 @@ bool Calculator::assign(const grammar::Block& block) {
       number = *named;
     }
     const bool is_of_machine =
-        assignment.name.empty() ? number > kLastUserParameter : is_predefined(assignment.name);
+        assignment.name.empty() ? !is_of_program(number) : is_predefined(assignment.name);
     if (is_of_machine) {  // NGC-PAR-04
       return leave_out(assignment.name.empty() ? fmt::format("#{}", number)
                                                : fmt::format("#<{}>", assignment.name),

@@ -32,9 +32,8 @@ HoleBlock::HoleBlock(BlockContext& block, OwnWord own)
                                {levels_->r_plane, levels_->bottom}));
     }
   }
-  // NGC-CYC-20
-  if (!block_.machine.is_inverse_time &&
-      decided("NGC-CYC-20"_clause, "F", block_.machine.feed) <= 0 &&
+  // NGC-CYC-20; in inverse time none is in force.
+  if (decided("NGC-CYC-20"_clause, "F", block_.machine.feed) <= 0 &&
       block_.readings.is("ngc.cycle.feed=needed"_reading)) {
     block_.need_feed("NGC-CYC-20"_clause);
   }

@@ -41,6 +41,7 @@ class Interpreter : public BlockInterpreter {
   void stand_at(const Position& position) override;
 
  private:
+  bool refuses_length(BlockOutput& out) const;
   void run_line(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
   bool calculate(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
   void run_words(std::uint64_t line, const grammar::Block& block, const WordValues* values,
@@ -50,7 +51,8 @@ class Interpreter : public BlockInterpreter {
   void run_subprogram(const BlockWords& words, std::uint64_t line, BlockOutput& out);
   void take_spindle(const grammar::Block& block);
   void take_modes(const BlockCodes& codes, std::uint64_t line);
-  void take_tool(const BlockWords& words);
+  void take_overrides(const BlockWords& words);
+  void take_tool(const BlockWords& words, BlockOutput& out);
   void take_motion(int code);
   void move_out(const Position& at, BlockOutput& out) const;
   void run_block(BlockContext& block) const;
@@ -65,6 +67,7 @@ class Interpreter : public BlockInterpreter {
   OWords o_words_;
   CalculatedWords calculated_;
   SavedModes saved_;
+  std::size_t line_length_ = 0;
   mutable Position of_machine_;  // what position() gives out
 };
 
@@ -113,6 +116,7 @@ bool Interpreter::next_line(grammar::LineSource& lines, grammar::Line& line) {
   if (profile_.takes_cr_for_blank()) lines.take_cr_for_blank();
   const bool is_there = o_words_.next(lines, line);
   if (lines.has_lone_cr()) readings_.touch("ngc.lone-cr"_key);
+  line_length_ = line.text.size();
   return is_there;
 }
 
@@ -136,6 +140,7 @@ void Interpreter::take_feed(const BlockWords& words, const BlockCodes& codes) {
   const bool changes = codes.units >= 0 && becomes_inch != modes.inch;
   if (changes && readings_.is("ngc.feed-units=after"_reading)) modes.inch = becomes_inch;
   machine_.rotary_feed = words.written('F');
+  machine_.is_feed_written = true;
   machine_.feed = modes.length_of(machine_.rotary_feed);
 }
 
@@ -150,12 +155,27 @@ void Interpreter::take_spindle(const grammar::Block& block) {
   }
 }
 
+// NGC-SAV-01: what M72 would have to restore. M50 to M53 switch off with P0, and on without P.
+void Interpreter::take_overrides(const BlockWords& words) {
+  Overrides& overrides = machine_.overrides;
+  const bool is_on = !words.has('P') || words.written('P').sign() != 0;
+  for (const grammar::Word& word : words.block().words) {
+    const std::int64_t number = word.address == 'M' ? m_number(word, readings_).value_or(0) : 0;
+    if (number == 48 || number == 49) overrides.feed = overrides.speed = number == 48;
+    if (number == 50) overrides.feed = is_on;
+    if (number == 51) overrides.speed = is_on;
+    if (number == 52) overrides.adaptive_feed = is_on;
+    if (number == 53) overrides.feed_hold = is_on;
+  }
+}
+
 // NGC-OFS-08: T selects a tool, M6 loads it, M61 says which one is loaded; all before G43.
-void Interpreter::take_tool(const BlockWords& words) {
+void Interpreter::take_tool(const BlockWords& words, BlockOutput& out) {
   if (words.has('T')) machine_.tool.selected = words.written('T');
   for (const grammar::Word& word : words.block().words) {
     if (word.address != 'M') continue;
     const std::int64_t number = m_number(word, readings_).value_or(0);
+    if (number == 6 && !machine_.tool.selected) out.accept("NGC-COM-14"_clause);
     if (number == 6) machine_.tool.loaded = machine_.tool.selected;
     if (number == 61 && words.has('Q')) machine_.tool.loaded = words.written('Q');
   }
@@ -286,7 +306,6 @@ void check_each_word(const BlockWords& words, const Profile& profile, const Read
   check_m_groups(words.block(), readings, alarms);
   check_feed_sign(words, clause, alarms);
   check_spindle_and_tool(words, profile, readings, alarms);
-  check_signals(words, profile, readings, alarms);
 }
 
 // NGC-G4-02: whether the motion alone is wrong, and not for want of a word that is looked for when
@@ -344,7 +363,18 @@ bool Interpreter::calculate(std::uint64_t line, const grammar::Block& block, Blo
   return !block.control && out.alarms.empty() && !out.not_covered;
 }
 
+// NGC-COM-16
+bool Interpreter::refuses_length(BlockOutput& out) const {
+  constexpr std::size_t kMostCharacters = 256;
+  if (line_length_ <= kMostCharacters || readings_.is("ngc.long-line=read"_reading)) return false;
+  const grammar::Span behind{kMostCharacters, static_cast<std::uint32_t>(line_length_)};
+  out.alarms.push_back({AlarmClass::syntax, "NGC-COM-16"_clause, 0, behind,
+                        fmt::format("The line has {} characters, more than 256.", line_length_)});
+  return true;
+}
+
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  if (refuses_length(out)) return;
   run_line(line, block, out);
   if (out.alarms.empty()) return;
   const bool is_calculated = !block.terms.empty() && !block.control;
@@ -406,6 +436,7 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
   out.alarms.insert(out.alarms.end(), reading_.alarms.begin(), reading_.alarms.end());
   const BlockWords words(block, machine_.modes, values);
   check_each_word(words, profile_, readings_, out.alarms);
+  check_signals(words, profile_, readings_, out);
   if (has_undefined_code) {
     // What else is wrong depends on what an unknown code would be.
     sort_by_place(out.alarms);
@@ -413,11 +444,12 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
   }
   take_feed(words, codes);
   take_spindle(block);
-  take_tool(words);
+  take_tool(words, out);
   BlockContext context{
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters};
   context.functions = m_functions_of(block, readings_);
   saved_.take(context);
+  take_overrides(words);
   const bool has_diameters = machine_.modes.diameter;
   const Plane plane = machine_.plane;
   take_modes(codes, line);

@@ -224,19 +224,41 @@ void SignalWords::check_wait() {
   if (!is_negative('Q')) add(AlarmClass::value_out_of_range, 'Q', "The longest wait is 0 s.");
 }
 
+// Whether a word is there and none of the numbers from 0 to `last`.
+bool is_beyond(const BlockWords& words, char address, int last) {
+  if (!words.has(address)) return false;
+  const Number number = words.written(address);
+  return number.sign() < 0 || number > Number(last) || number != number.floor();
+}
+
+// NGC-COM-15: whether the function names what some machines do not have.
+bool may_be_unknown(std::int64_t function, const BlockWords& words) {
+  constexpr int kLastPin = 3;
+  constexpr int kLastMode = 4;  // how M66 waits
+  if (function >= 50 && function <= 53) return is_beyond(words, 'P', 1);
+  if (function >= 62 && function <= 65) return is_beyond(words, 'P', kLastPin);
+  if (function == 66) {
+    return is_beyond(words, 'P', kLastPin) || is_beyond(words, 'E', kLastPin) ||
+           is_beyond(words, 'L', kLastMode);
+  }
+  if (function != 67 && function != 68) return false;
+  return is_beyond(words, 'E', kLastPin) || !words.has('Q');
+}
+
 }  // namespace
 
 // NGC-COM-09
 void check_signals(const BlockWords& words, const Profile& profile, const ReadingsInUse& readings,
-                   std::vector<Alarm>& alarms) {
+                   BlockOutput& out) {
   for (const grammar::Word& word : words.block().words) {
     if (word.address != 'M') continue;
-    SignalWords signal(word, words, readings, alarms);
+    SignalWords signal(word, words, readings, out.alarms);
     const std::int64_t number = m_number(word, readings).value_or(0);
     if (number == 61) signal.need_index('Q');
     if (number == 61 && words.has('Q')) {
-      check_tool_table(words.written('Q'), *words.word('Q'), profile, readings, alarms);
+      check_tool_table(words.written('Q'), *words.word('Q'), profile, readings, out.alarms);
     }
+    if (may_be_unknown(number, words)) out.accept("NGC-COM-15"_clause);
     if (number >= 62 && number <= 65) signal.need('P');
     if (number == 66) signal.check_input();
     if (number == 67 || number == 68) signal.need_index('E');

@@ -30,8 +30,8 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
 void check_spindle_and_tool(const BlockWords& words, const Profile& profile,
                             const ReadingsInUse& readings, std::vector<Alarm>& alarms);
 
-// The words of M61 to M68 (NGC-COM-09).
+// The words of M50 to M53 and M61 to M68 (NGC-COM-09, NGC-COM-15).
 void check_signals(const BlockWords& words, const Profile& profile, const ReadingsInUse& readings,
-                   std::vector<Alarm>& alarms);
+                   BlockOutput& out);
 
 }  // namespace gonogo::reference::rs274

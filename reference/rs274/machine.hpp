@@ -33,6 +33,15 @@ struct PolarPlace {
   PlaceInXy in_xy() const;
 };
 
+// M48 to M53: what an operator may change while the program runs.
+struct Overrides {
+  bool feed = true;
+  bool speed = true;
+  bool adaptive_feed = false;
+  bool feed_hold = true;
+  friend bool operator==(const Overrides&, const Overrides&) = default;
+};
+
 // Its position is that of the program, from the origin that the offsets give it.
 struct Machine : MotionState {
   explicit Machine(const Profile& profile) : offsets(profile) {}
@@ -41,6 +50,7 @@ struct Machine : MotionState {
   int motion = kNoMotion;           // as BlockCodes has it; kNoMotion also after G80
   std::uint64_t motion_ended = 0;   // the line of that G80; 0: none was in force
   Number rotary_feed;               // F as written: degrees per minute where rotary axes move alone
+  bool is_feed_written = false;     // F is of the program, and not of power-on
   bool is_inverse_time = false;     // NGC-FED-01: F holds for its block, and feed is 0
   bool has_surface_speed = false;   // G96
   std::optional<PolarPlace> polar;  // of the position, where polar words have led there
@@ -49,6 +59,7 @@ struct Machine : MotionState {
   bool has_speed = false;  // S above zero
   bool has_mist = false;
   bool has_flood = false;
+  Overrides overrides;
   CycleState cycle;
   Offsets offsets;
   ToolState tool;

@@ -116,6 +116,7 @@ bool SavedModes::restore(const Saved& saved, Machine& machine) const {
   const Machine& from = saved.machine;
   const bool is_alike = from.spindle == machine.spindle && from.has_mist == machine.has_mist &&
                         from.has_flood == machine.has_flood &&
+                        from.overrides == machine.overrides &&
                         from.offsets.tool == machine.offsets.tool;
   if (!is_alike) return false;
   if (from.plane != machine.plane) machine.cycle.leave_plane();
@@ -123,8 +124,10 @@ bool SavedModes::restore(const Saved& saved, Machine& machine) const {
   machine.plane = from.plane;
   machine.feed_mode = from.feed_mode;
   machine.is_inverse_time = from.is_inverse_time;
-  machine.feed = from.feed;
+  // The number that was saved, in the units that are restored.
+  machine.feed = from.is_feed_written ? from.modes.length_of(from.rotary_feed) : from.feed;
   machine.rotary_feed = from.rotary_feed;
+  machine.is_feed_written = from.is_feed_written;
   machine.has_surface_speed = from.has_surface_speed;
   machine.retract = from.retract;
   change_offsets(machine, [&](Offsets& offsets) { offsets.system = from.offsets.system; });
@@ -142,7 +145,7 @@ void SavedModes::take(BlockContext& block) {
                 "M72 has no modes to restore: no M70 saved any here.");
   } else if (!restore(*saved, block.machine)) {
     leave_out(block, 'M',
-              "The gauge restores no spindle, coolant or tool length that has changed.");
+              "The gauge restores no spindle, coolant, override or tool length that has changed.");
   }
 }
 

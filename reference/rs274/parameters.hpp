@@ -19,7 +19,14 @@ using exact::Number;
 
 inline constexpr std::int64_t kLastParameter = 5602;
 inline constexpr std::int64_t kLastUserParameter = 5000;
+inline constexpr std::int64_t kShowsMessages = 5599;
 inline constexpr std::size_t kArguments = 30;  // #1 to #30 belong to a subroutine
+
+// Whether a program sets the parameter, and the machine never does. NGC-PAR-04: one above the
+// others says only whether messages are shown.
+constexpr bool is_of_program(std::int64_t number) {
+  return number <= kLastUserParameter || number == kShowsMessages;
+}
 
 // What was calculated. NGC-EXP-08: `is_rounded` where doubles do not have it exactly.
 struct Value {
@@ -31,7 +38,7 @@ class Parameters {
  public:
   Parameters() : levels_(1) {}
 
-  // NGC-PAR-01. REQUIRES: 1 <= number <= kLastUserParameter.
+  // NGC-PAR-01. REQUIRES: 1 <= number, which is_of_program.
   Value numbered(std::int64_t number) const;
   void set(std::int64_t number, Value value);
   // NGC-OWD-02: whether a call has left the parameter without a value, and nothing has set it
@@ -56,7 +63,7 @@ class Parameters {
     std::map<std::string, Value> named;
   };
   std::vector<Level> levels_;
-  std::map<std::int64_t, Value> numbered_;
+  std::map<std::int64_t, Value> numbered_ = {{kShowsMessages, {1}}};
   std::map<std::string, Value> global_;
 };
 

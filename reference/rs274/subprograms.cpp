@@ -72,7 +72,8 @@ void OWords::call_numbered(const BlockWords& words, const grammar::Span& where, 
     called_at_ = current_->text;
     current_->text = called_at_;  // the source forgets the line
     Text text;
-    const Found what = find_numbered(number, text);
+    const Found what =
+        subs_.contains(std::to_string(number)) ? Found::another_style : find_numbered(number, text);
     if (what == Found::nowhere) {
       return leave("No subprogram of this number, with its M99, stands behind the call.");
     }

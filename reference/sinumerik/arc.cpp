@@ -19,6 +19,15 @@ Plane plane_of(Axis d) {
   return d == Axis::z ? Plane::g17 : d == Axis::y ? Plane::g18 : Plane::g19;
 }
 
+// SIE-ARC-12: with the centre word of the common axis alone the other one may be a 0 that a helix
+// of the plane in force has left out.
+bool winds_by_one_centre_word(const BlockContext& block, Axis unnamed) {
+  const PlaneAxes axes = block.plane_axes();
+  const Axis common = unnamed == axes.p ? axes.q : axes.p;
+  return block.words.has(centre_address(common)) && !block.words.has(centre_address(axes.d)) &&
+         block.readings.is("sie.arc.plane=helix"_reading);
+}
+
 // SIE-ARC-12. Where two end-point axes choose the plane, the third of X Y Z stands upright on it.
 Plane plane_of_arc(const BlockContext& block) {
   const BlockWords& words = block.words;
@@ -32,7 +41,8 @@ Plane plane_of_arc(const BlockContext& block) {
   if (!unnamed || *unnamed == axes_of(in_force).d) return in_force;
   const bool is_helix = words.has(Address::turn) || words.has(Address::ar) ||
                         words.has(centre_address(*unnamed)) || words.is_polar();
-  return is_helix ? in_force : plane_of(*unnamed);
+  if (is_helix || winds_by_one_centre_word(block, *unnamed)) return in_force;
+  return plane_of(*unnamed);
 }
 
 // SIE-ARC-13, SIE-ARC-09. Nothing when the rules are broken.

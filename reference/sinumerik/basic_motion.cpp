@@ -87,19 +87,32 @@ void refuse_turns(BlockContext& block) {
   if (block.words.written(Address::turn).sign() != 0) refuse_words(block, {Address::turn});
 }
 
-// SIE-COM-01
+// SIE-MOD-08
+void drop_feed_of_before(BlockContext& block) {
+  Machine& machine = block.machine;
+  if (!machine.feed_is_of_before || machine.feed.sign() <= 0) return;
+  if (block.readings.is("sie.feed-change=deleted"_reading)) machine.feed = 0;
+}
+
+// SIE-COM-01; SIE-COM-06 of an F that was 0.
 void need_cutting(BlockContext& block) {
+  drop_feed_of_before(block);
+  if (block.machine.feed_is_zero) block.out.accept("SIE-COM-06"_clause);
   block.need_feed("SIE-COM-01"_clause);
   need_spindle(block);
 }
 
-bool spindle_turns(const Machine& machine) {
-  return machine.spindle != 5 && (machine.speed_given || machine.speed.sign() > 0);
+// SIE-MOD-09: a spindle that was brought to a place.
+bool spindle_turns(BlockContext& block) {
+  const Machine& machine = block.machine;
+  const bool turns = machine.spindle != 5 && (machine.speed_given || machine.speed.sign() > 0);
+  if (turns && machine.spindle_is_placed) block.out.accept("SIE-MOD-09"_clause);
+  return turns;
 }
 
 // SIE-G1-02; SIE-G1-04 where the reading lets the block run on.
 void need_spindle(BlockContext& block) {
-  if (spindle_turns(block.machine)) return;
+  if (spindle_turns(block)) return;
   if (!block.readings.is("sie.spindle=alarm"_reading)) {
     block.out.accept("SIE-G1-04"_clause);
     return;
@@ -167,7 +180,7 @@ void run_line(BlockContext& block, RecordKind kind) {
   put_line(block, kind, "SIE-G1-01"_clause, *end);
 }
 
-// SIE-MOD-03, SIE-MOD-06, SIE-MOD-07
+// SIE-MOD-03, SIE-MOD-06, SIE-MOD-07, SIE-MOD-09
 void run_dwell(BlockContext& block) {
   constexpr ClauseId kUnsaidDwell = "SIE-MOD-06"_clause;
   const ClauseId clause = "SIE-MOD-03"_clause;
@@ -204,6 +217,7 @@ void run_dwell(BlockContext& block) {
         words.place_of('S').value_or(words.behind())};
     return;
   } else if (decided(kUnsaidDwell, "speed", block.machine.speed) > 0) {
+    if (!spindle_turns(block)) block.out.accept("SIE-MOD-09"_clause);
     record.seconds = amount * 60 / block.machine.speed;
   } else {
     block.alarm(AlarmClass::spindle_stopped, kUnsaidDwell, 'S',

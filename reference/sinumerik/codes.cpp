@@ -105,6 +105,7 @@ void read_codes(Control control, const grammar::Block& block, CodeReading& readi
   codes.units = reading.of(Group::units);
   codes.dimension = reading.of(Group::distance);
   codes.feed_mode = reading.of(Group::feed_mode);
+  codes.without_offset = reading.of(Group::frame) == 53;
 }
 
 }  // namespace gonogo::reference::sinumerik

@@ -32,10 +32,11 @@ struct BlockCodes {
   bool several_once = false;
   Cycle cycle = Cycle::none;
   std::optional<Motion> motion;
-  int plane = -1;      // 17, 18, 19
-  int units = -1;      // 70, 71
-  int dimension = -1;  // 90, 91
-  int feed_mode = -1;  // 94, 95, 96, 97, 961, 971
+  int plane = -1;               // 17, 18, 19
+  int units = -1;               // 70, 71
+  int dimension = -1;           // 90, 91
+  int feed_mode = -1;           // 94, 95, 96, 97, 961, 971
+  bool without_offset = false;  // G53
 };
 
 struct CodeReading : GCodeReading {

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+
 #include "reference/clause_literal.hpp"
 #include "reference/reading_literal.hpp"
 #include "reference/sinumerik/machine.hpp"
@@ -125,6 +128,8 @@ void stand_in(Machine& machine, const Frame& next) {
   machine.position = next.to_workpiece(machine.base);
   if (machine.mark) machine.mark = in_frame(*machine.mark, machine.frame, next);
   if (machine.last) turn_last_motion(*machine.last, machine.frame, next);
+  const bool changes = machine.frame.is_in_force() || next.is_in_force();
+  if (machine.pole_is_put && changes) machine.pole_is_of_before = true;
   machine.frame = next;
 }
 
@@ -206,6 +211,31 @@ void run_rotation(BlockContext& block) {
     return;
   }
   stand_in(machine, next);
+}
+
+// SIE-FRM-04: the position stays. Whether a pole goes along, and whether G53 leaves a programmed
+// frame out, too, no text says.
+void leave_out_frames(BlockContext& block) {
+  const Machine& machine = block.machine;
+  const BlockWords& words = block.words;
+  const auto leave_out = [&](std::string_view code, std::string_view what) {
+    if (block.out.not_covered) return;
+    block.out.not_covered =
+        NotCovered{block.line, std::string(code), fmt::format("No text says whether {}.", what),
+                   words.place_of(WordName(code)).value_or(words.behind())};
+  };
+  const bool is_pole = block.codes.once == 110 || block.codes.once == 111;
+  if (machine.pole_is_of_before && block.codes.once == 112) {
+    leave_out("G112", "a pole goes along with G158, G258 and G259");
+  } else if (machine.pole_is_of_before && words.is_polar() && !is_pole) {
+    leave_out(words.has(Address::rp) ? "RP" : "AP", "a pole goes along with G158, G258 and G259");
+  }
+  const auto has = [&](Axis axis) { return words.has(address_of(axis)); };
+  const bool goes = std::ranges::any_of(kLinearAxes, has) || words.is_polar() ||
+                    words.has_centre() || words.has_intermediate();
+  if (block.codes.without_offset && machine.frame.is_in_force() && goes) {
+    leave_out("G53", "G53 leaves out G158, G258 and G259, too");
+  }
 }
 
 bool admits_plane(BlockContext& block, Plane plane, WordName word) {

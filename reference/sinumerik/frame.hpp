@@ -28,6 +28,7 @@ class Frame {
   const Number& angle() const { return angle_; }
   // Whether a translation was set; it may be by nothing.
   bool is_translated() const { return is_translated_; }
+  bool is_in_force() const { return is_translated() || is_rotated(); }
 
   Position to_base(const Position& workpiece) const;
   Position to_workpiece(const Position& base) const;

@@ -25,22 +25,6 @@ constexpr std::int64_t kLastM802s = 99;
 constexpr std::uint64_t kFirstCycleParameter = 101;
 constexpr std::uint64_t kLastCycleParameter = 127;
 
-// SIE-MOD-07
-void take_feed_mode(Machine& machine, int code) {
-  const bool per_revolution = code == 95 || code == 96 || code == 97;
-  machine.feed_mode = per_revolution ? FeedMode::per_revolution : FeedMode::per_minute;
-  machine.constant_cutting_speed = code == 96 || code == 961;
-}
-
-// SIE-MOD-07: the turns stay unknown until an S counts turns again.
-void take_speed(Machine& machine, const BlockWords& words) {
-  if (machine.constant_cutting_speed) {
-    machine.turns_unknown = true;
-  } else if (words.has(Address::s)) {
-    machine.turns_unknown = false;
-  }
-}
-
 class Interpreter : public BlockInterpreter {
  public:
   Interpreter(const Profile& profile, const ReadingsInUse& readings, Control control,
@@ -163,7 +147,11 @@ void Interpreter::take_m(std::uint64_t line, const grammar::NamedWord& word, con
   if (after && out.program_end) return;  // nothing runs after the end
   (after ? out.after : out.items).emplace_back(std::move(record));
   if (ends_program) out.program_end = true;
-  if (m >= 3 && m <= 5) machine_.spindle = m;
+  if (m >= 3 && m <= 5) {
+    machine_.spindle = m;
+    machine_.spindle_is_placed = false;
+  }
+  if (m == 19 || m == 70) machine_.spindle_is_placed = true;
 }
 
 // Lengths, angles, feeds and speeds; tools and turns are numbers.
@@ -216,7 +204,7 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
       out.alarms.push_back(
           {AlarmClass::value_out_of_range, clause, name, word.where, problem.message});
     } else if (is_ignored) {
-      continue;
+      if (word.name == "SPOS" || word.name == "SPOSA") machine_.spindle_is_placed = true;
     } else if (*address == Address::r) {
       calculator_.assign(*word.index, *std::move(value));
     } else if (*address == Address::m) {
@@ -245,29 +233,17 @@ void Interpreter::take_tool(const BlockWords& words) {
 void Interpreter::take_modes(BlockContext& block) {
   const BlockCodes& codes = block.codes;
   const BlockWords& words = block.words;
-  if (codes.once != 4) {
-    for (const Address address : {Address::f, Address::s}) {
-      if (!words.has(address)) continue;
-      if (words.written(address).sign() < 0) {
-        block.alarm(AlarmClass::value_sign, address == Address::s ? "SIE-COM-03"_clause : kCommon,
-                    name_of(address),
-                    with_values(fmt::format("{} is {{}}, below zero.", name_of(address).text()),
-                                {words.written(address)}));
-      }
-      (address == Address::f ? machine_.feed : machine_.speed) = words.written(address);
-      if (address == Address::s) machine_.speed_given = false;
-    }
-  }
+  if (codes.once != 4) take_feed_and_speed(block);
   if (codes.units >= 0) machine_.modes.inch = codes.units == 70;
   if (codes.dimension >= 0) machine_.modes.incremental = codes.dimension == 91;
-  if (codes.feed_mode >= 0) take_feed_mode(machine_, codes.feed_mode);
-  if (codes.once != 4) take_speed(machine_, words);
+  take_feed_mode(block);
   if (codes.plane >= 0) {
     const auto plane = static_cast<Plane>(codes.plane - 17);
     admits_plane(block, plane, 'G');
     take_plane(machine_, plane);  // refused or not: its words are meant in it
   }
   take_tool(words);
+  accept_odd_numbers(block);
   if (codes.motion) machine_.motion = codes.motion;
 }
 
@@ -378,6 +354,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   if (complete) {
     take_modes(context);
     if (machine_.modes.diameter) leave_out_diameters(context);
+    leave_out_frames(context);
     if (out.not_covered) {
       out.alarms.clear();
       return;

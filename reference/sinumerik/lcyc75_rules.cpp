@@ -61,7 +61,7 @@ void check_tool(const CycleCall& call) {
   if (!has_tool(call)) {
     call.alarm(AlarmClass::no_tool, clause, 'T', "No tool is in force.");
   }
-  if (!spindle_turns(call.block.machine)) {
+  if (!spindle_turns(call.block)) {
     call.alarm(AlarmClass::spindle_stopped, clause, 'S', "The spindle does not turn.");
   }
 }

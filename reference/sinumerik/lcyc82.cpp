@@ -18,6 +18,8 @@ void run_lcyc82(const CycleCall& call) {
     call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-04"_clause, 105,
                          with_values("The dwell R105, {} s, is below zero.", {dwell}));
   }
+  drop_feed_of_before(block);
+  if (block.machine.feed_is_zero) block.out.accept("SIE-COM-06"_clause);
   if (decided("SIE-LC82-03"_clause, "F", block.machine.feed) == 0) {
     call.alarm(AlarmClass::feed_missing, "SIE-LC82-03"_clause, 'F', "No feed is in force.");
   }

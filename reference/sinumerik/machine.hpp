@@ -57,11 +57,16 @@ struct Machine : MotionState {
   bool speed_given = false;             // S counts as above zero though it is not known
   bool constant_cutting_speed = false;  // G96, G961
   bool turns_unknown = false;           // S was a cutting speed: G97 keeps what came of it
+  bool spindle_is_placed = false;       // SPOS, SPOSA, M19 or M70 behind M3, M4 and M5
+  bool feed_is_of_before = false;       // F stood before the feed changed between G94 and G95
+  bool feed_is_zero = false;            // the last F was 0
   Frame frame;
   Position base;               // `position` in base coordinates; exact where that is only enclosed
   std::optional<Number> tool;  // T; none before any T word, or T0
   Number edge = 1;             // D
   Point_2 pole;
+  bool pole_is_put = false;            // by G110, G111 or G112 since the plane was chosen
+  bool pole_is_of_before = false;      // a frame has changed since
   std::optional<Number> polar_angle;   // AP in force
   std::optional<Number> polar_radius;  // RP in force, mm
   std::optional<PlaceMark> mark;
@@ -107,6 +112,12 @@ void refuse_all_but(BlockContext& block, std::initializer_list<Address> its_own)
 void refuse_beside_frame(BlockContext& block);
 bool cycle_stands_alone(BlockContext& block);
 
+// In feed_and_speed.cpp. F and S of a block without a dwell; the code of the feed. The third says
+// of the block that it runs on with a T, D or H that some control refuses.
+void take_feed_and_speed(BlockContext& block);
+void take_feed_mode(BlockContext& block);
+void accept_odd_numbers(BlockContext& block);
+
 // In basic_motion.cpp.
 // The feed in force of linear axes: F is millimetres, or under G70 and sie.g70.f = inch inches.
 Number linear_feed(const BlockContext& block);
@@ -114,8 +125,11 @@ void run_dwell(BlockContext& block);
 void run_line(BlockContext& block, RecordKind kind);
 // The alarms of a cutting motion that has no feed, or no spindle that turns.
 void need_cutting(BlockContext& block);
+// Lets the feed go that a change of G94 and G95 has deleted.
+void drop_feed_of_before(BlockContext& block);
 void need_spindle(BlockContext& block);
-bool spindle_turns(const Machine& machine);
+// Whether the spindle turns; says of the block that it runs on where no text says whether.
+bool spindle_turns(BlockContext& block);
 // A straight motion, and an arc: they move the machine.
 void put_line(BlockContext& block, RecordKind kind, ClauseId clause, const EndPoint& end);
 void put_arc(BlockContext& block, const ArcPath& arc, const EndPoint& end);
@@ -144,6 +158,8 @@ Position whole_direction(const LastMotion& last);
 // In frame.cpp.
 void run_translation(BlockContext& block);
 void run_rotation(BlockContext& block);
+// What no text says of a frame in force: such a block is not covered.
+void leave_out_frames(BlockContext& block);
 // Whether the rotation in force admits the plane; else the alarm is given, at `word`.
 bool admits_plane(BlockContext& block, Plane plane, WordName word);
 

@@ -174,6 +174,7 @@ std::optional<EndPoint> end_point(BlockContext& block) {
 void take_plane(Machine& machine, Plane plane) {
   machine.plane = plane;
   machine.pole = CGAL::ORIGIN;
+  machine.pole_is_put = machine.pole_is_of_before = false;
   forget_polar(machine);
 }
 
@@ -187,6 +188,8 @@ void run_pole(BlockContext& block) {
   if (block.codes.once == 110) base = block.position_in(axes);
   if (block.codes.once == 112) base = machine.pole;
   machine.pole = base + *by;
+  machine.pole_is_put = true;
+  machine.pole_is_of_before = false;
   forget_polar(machine);
   if (block.words.is_polar() && surely_equal(base, block.position_in(axes))) {
     // SIE-ARC-10: seen from the pole the machine stands on the other side, exactly RP away.

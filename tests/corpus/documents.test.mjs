@@ -6,7 +6,7 @@
 // the certificate's against certificates.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test from "node:test";
@@ -128,6 +128,22 @@ function inFolder(action) {
     rmSync(folder, { recursive: true });
   }
 }
+
+// certify refuses a vector that is not what the gauge makes of it.
+test("the example of vectors is a corpus that judges", () => {
+  const [, body] = documents[1].match(/<!-- valid: vectors-2 # -->\n```json\n([^`]+)```/);
+  const vectors = JSON.parse(body);
+  const file = `vectors/${vectors.dialect}/example.json`;
+  inFolder((folder) => {
+    mkdirSync(join(folder, "vectors", vectors.dialect), { recursive: true });
+    writeFileSync(join(folder, file), body);
+    writeFileSync(join(folder, "manifest.json"), JSON.stringify({
+      format: 1, version: vectors.corpus, license: "CC0-1.0", files: [file], retired: [] }));
+    const run = spawnSync(program, ["certify", "--subject", "builtin:ngc", "--corpus", folder, "--fresh", "0",
+      "--report", join(folder, "report")], { cwd: root, encoding: "utf8" });
+    assert.equal(run.status, 0, run.stdout + run.stderr);
+  });
+});
 
 // What the gauge and the example in Python say to each other, a line an entry.
 function conversation() {

@@ -225,7 +225,7 @@ TEST(Corpus, AFileInTheFolderOfAnotherDialect) {
 }
 
 TEST(Corpus, AFolderThatIsNone) {
-  EXPECT_TRUE(corpus_error([] { oracle::Corpus("/nowhere"); }).starts_with("/nowhere/vectors"));
+  EXPECT_TRUE(corpus_error([] { oracle::Corpus("/nowhere"); }).starts_with("/nowhere is no corpus"));
 }
 
 }  // namespace

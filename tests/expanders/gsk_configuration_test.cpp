@@ -25,7 +25,8 @@ TEST(GskConfiguration, DefaultsMayBeWrittenOut) {
     "gsk.decimals":"keep","gsk.duplicate":"alarm","gsk.g94.in-mode":"keep",
     "gsk.zero-depth-end":"initial","gsk.dwell-without-word":"alarm","gsk.arc.zero-radius":"alarm",
     "gsk.arc.tolerance-zero":"off","gsk.g50.initial-plane":"shifted",
-    "gsk.rotary-feed-inch":"scaled"}})"),
+    "gsk.rotary-feed-inch":"scaled","gsk.retained":"keep","gsk.feed-units":"length",
+    "gsk.feed-change":"kept"}})"),
             GONOGO_OK);
 }
 
@@ -46,6 +47,7 @@ TEST(GskConfiguration, WhatIsNotImplementedIsNamed) {
                             R"({"readings":{"gsk.pocket.path":"semicircles"}})",
                             R"({"readings":{"gsk.arc.zero-radius":"none"}})",
                             R"({"readings":{"gsk.rotary-feed-inch":"degrees"}})",
+                            R"({"readings":{"gsk.feed-units":"number"}})",
                             R"({"readings":{"gsk.helix.entry-side":"-q"}})",
                             R"({"readings":{"gsk.thread.runout":"spiral"}})",
                             R"({"readings":{"gsk.unheard-of":"any"}})",

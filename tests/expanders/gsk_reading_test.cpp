@@ -41,6 +41,22 @@ TEST(GskReading, G94EmptyBlock) {
   EXPECT_EQ(run_with_reading("gsk.g94.empty-block", "repeat", program).records.size(), 10u);
 }
 
+// 0.5 inch are 12.7 mm.
+TEST(GskReading, Retained) {
+  const std::string program = "G20 G94 X-1 Z-0.5 F9\nG21 X-8 F50\n";
+  EXPECT_EQ(run_with_reading("gsk.retained", "keep", program).records[5], "feed x=-8 z=-12.7 f=50");
+  EXPECT_EQ(run_with_reading("gsk.retained", "clear", program).records[4], "feed x=-8 z=0 f=50");
+  EXPECT_EQ(run_with_reading("gsk.retained", "number", program).records[5],
+            "feed x=-8 z=-0.5 f=50");
+}
+
+TEST(GskReading, FeedChange) {
+  const std::string program = "F50\nG99 G1 X20\n";
+  EXPECT_EQ(run_with_reading("gsk.feed-change", "kept", program).answer, GONOGO_OK);
+  EXPECT_EQ(run_with_reading("gsk.feed-change", "deleted", program).alarm, "feed-missing");
+  EXPECT_EQ(run_with_reading("gsk.feed-change", "deleted", "F50\nG98 G1 X20\n").answer, GONOGO_OK);
+}
+
 TEST(GskReading, MissingAxis) {
   const std::string program = "G110 I3 L3 Q9 D2 F100 X5 Y-3\n";
   EXPECT_EQ(run_with_reading("gsk.missing-axis", "skip", program).motions(), "");

@@ -19,16 +19,20 @@ TEST(HncConfiguration, DefaultsMayBeWrittenOut) {
     "hnc.g82.e-scale":"radius","hnc.peck.from":"last-bottom","hnc.peck.withdraw":"rapid",
     "hnc.g75.steps":"i-plus-1","hnc.g75.end":"start","hnc.g75.mode3":"off",
     "hnc.g75.depth-scale":"radius","hnc.offset.initial":"G54","hnc.lead.unit":"mm",
-    "hnc.arc.zero-radius":"alarm"}})"),
+    "hnc.arc.zero-radius":"alarm","hnc.rewrite":"keep","hnc.empty-block":"none",
+    "hnc.g74.x":"none","hnc.g75.zero-width":"each","hnc.g82.order":"rising",
+    "hnc.feed-units":"length","hnc.feed-change":"kept"}})"),
             GONOGO_OK);
 }
 
 TEST(HncConfiguration, EveryReadingMayBeAny) {
   for (const char* key :
-       {"hnc.missing-axis", "hnc.peck.clamp", "hnc.g82.starts", "hnc.modal.f", "hnc.g75.i",
-        "hnc.g82.exit", "hnc.g82.e-scale", "hnc.peck.from", "hnc.peck.withdraw", "hnc.g75.steps",
-        "hnc.g75.end", "hnc.g75.mode3", "hnc.g75.depth-scale", "hnc.offset.initial",
-        "hnc.lead.unit", "hnc.arc.zero-radius"}) {
+       {"hnc.missing-axis",    "hnc.peck.clamp",     "hnc.g82.starts",  "hnc.modal.f",
+        "hnc.g75.i",           "hnc.g82.exit",       "hnc.g82.e-scale", "hnc.peck.from",
+        "hnc.peck.withdraw",   "hnc.g75.steps",      "hnc.g75.end",     "hnc.g75.mode3",
+        "hnc.g75.depth-scale", "hnc.offset.initial", "hnc.lead.unit",   "hnc.arc.zero-radius",
+        "hnc.rewrite",         "hnc.empty-block",    "hnc.g74.x",       "hnc.g75.zero-width",
+        "hnc.g82.order",       "hnc.feed-units",     "hnc.feed-change"}) {
     EXPECT_EQ(create_hnc(R"({"readings":{")" + std::string(key) + R"(":"any"}})"), GONOGO_OK)
         << key;
   }
@@ -51,6 +55,7 @@ TEST(HncConfiguration, WhatIsNotImplementedIsNamed) {
                             R"({"initial":{"x":"11/3"}})",
                             R"({"initial":{"f":"-1"}})",
                             R"({"readings":{"hnc.g75.i":"L"}})",
+                            R"({"readings":{"hnc.feed-units":"inches"}})",
                             R"({"readings":{"hnc.missing-axis":"perhaps"}})",
                             R"({"readings":{"gsk.pocket.end":"initial"}})"};
   for (const char* profile : profiles) {

@@ -29,7 +29,6 @@ const ProfiledFaultExample kHncFaultExamples[] = {
     {"withdrawal-at-feed", kUnevenPeck},
     {"endless-pecks", "G74 Z-1 R0.001 Q0.002 F9\n"},
     {"withdrawal-sign-unchecked", "G74 Z-5 R-1 Q2 F9\n"},
-    {"drill-takes-x", "G74 X4 Z-5 F9\n"},
     {"groove-depth-diameter", "G75 X-8 R1 Q2 F9\n"},
     {"groove-step-short", kThirds},
     {"groove-running-sum", kThirds},

@@ -25,7 +25,6 @@ const std::string kLine = "G18 M3/G0 X20 Z2/";
 // the end of a line.
 const FaultExample kNgcCycleFaultExamples[] = {
     {"cycle-plane-ignored", "F9/G18/G81 X1 Y-1 Z-1 R2", "R0,0,2 R1,-1,2 F1,-1,-1 R1,-1,2"},
-    {"cycle-in-inverse-time", "G93/G81 X1 Z-1 R2 F5", "alarm feed-missing"},
     {"depth-from-tool", "F9/G0 Z10/G91 G81 Z-7 R-5", "R0,0,10 R0,0,5 F0,0,3 R0,0,5"},
     {"stale-step", "F9/G0 X1 Y2 Z10/G91 G81 X1 Z-1 R-2", "R1,2,10 R2,4,10 R2,4,8 F2,4,7 R2,4,8"},
     {"levels-drift", "F9/G91 G81 X1 Z-1 R2 L2",

@@ -49,6 +49,15 @@ TEST(SinumerikMode, FeedPerRevolution) {
             "feed x=1 f=0.2/rev\nfeed x=2 f=9\n");
 }
 
+TEST(SinumerikMode, FeedOfBeforeTheChange) {
+  const char* change = "G1 X1 F9\nG95 X2\n";
+  EXPECT_EQ(motions_and_alarm(change), "feed x=1 f=9\nfeed x=2 f=9/rev\n");
+  const char* deleted = R"({"readings":{"sie.feed-change":"deleted"}})";
+  EXPECT_EQ(motions_and_alarm(change, deleted), "feed x=1 f=9\nfeed-missing");
+  EXPECT_EQ(motions_and_alarm("G1 X1 F9\nG95 X2 F0.2\nG97 X3\n", deleted),
+            "feed x=1 f=9\nfeed x=2 f=0.2/rev\nfeed x=3 f=0.2/rev\n");
+}
+
 TEST(SinumerikMode, FeedMissing) {
   EXPECT_EQ(motions_and_alarm("G1 X1\n"), "feed-missing");
   EXPECT_EQ(motions_and_alarm("G0 X1 F9\nG1 X2\nF0\nX3\n"),

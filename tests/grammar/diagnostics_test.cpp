@@ -258,6 +258,7 @@ TEST(Message, NamesAreStable) {
   EXPECT_EQ(name(SyntaxCode::unclosed_comment), "unclosed-comment");
   EXPECT_EQ(name(SyntaxCode::misplaced_number_word), "misplaced-number-word");
   EXPECT_EQ(name(SyntaxCode::line_too_long), "line-too-long");
+  EXPECT_EQ(name(SyntaxCode::nested_too_deep), "nested-too-deep");
 }
 
 TEST(Message, IsAWholeSentenceWithWhatWasExpected) {

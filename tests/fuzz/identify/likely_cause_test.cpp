@@ -233,7 +233,7 @@ TEST(LikelyCause, OfALimitThatRefusesItsOwnValue) {
 TEST(LikelyCause, OfAnEndPointThatACycleDoesNotRetain) {
   const Attribution found = attribute_fault("gsk", "end-point-lost", "gsk.g94.000088");
   EXPECT_EQ(likely_cause(found).name,
-            "an axis that a later block of G94 does not name does not move")
+            "an axis that a later block of all cycles does not name does not move")
       << attribution_text(found);
 }
 

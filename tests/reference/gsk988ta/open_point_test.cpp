@@ -65,6 +65,50 @@ TEST(OpenPoints, G50RenamesTheInitialPlaneOrKeepsItsCoordinate) {
   EXPECT_EQ(lines(program, profile_with({{"gsk.g50.initial-plane", "kept"}})).at(3), "rapid y45");
 }
 
+// Z-0.5 inch is Z-12.7, and is -2.54; the tool stands at Z 5.08. C lies at X40, a radius of
+// 20.
+TEST(OpenPoints, OtherUnitsKeepRetainedWordsOrClearThemOrLeaveTheirNumbers) {
+  const std::string program = "G20 G00 X4 Z0.2\nG94 X2 Z-0.5 R-0.1 F5\nG21 X40 F100";
+  const auto third = [&](const char* alternative) {
+    const Lines all = lines(program, profile_with({{"gsk.retained", alternative}}));
+    return Lines(all.begin() + 5, all.begin() + 7);
+  };
+  EXPECT_EQ(third("keep"), (Lines{"rapid z-15.24", "feed x20 z-12.7 f100"}));
+  EXPECT_EQ(third("clear"), (Lines{"rapid z5.08", "feed x20 z5.08 f100"}));
+  EXPECT_EQ(third("number"), (Lines{"rapid z-0.6", "feed x20 z-0.5 f100"}));
+}
+
+// In G17 the cycle has X and Y; behind G18 again Z and X.
+TEST(OpenPoints, AnotherPlaneKeepsRetainedWordsOrClearsThemOrThoseOutsideIt) {
+  const std::string program = "G00 X100 Y10 Z5\nG94 X60 Z-10 F100\nG17 Y5\nG18 X50";
+  const Profile clear = profile_with({{"gsk.retained", "clear"}});
+  const Profile in_plane = profile_with({{"gsk.retained", "in-plane"}});
+  EXPECT_EQ(lines(program).at(5), "rapid x30");
+  EXPECT_EQ(lines(program, clear).at(5), "rapid x50");
+  EXPECT_EQ(lines(program, in_plane).at(5), "rapid x30");
+  EXPECT_EQ(lines(program, in_plane).at(10), "feed x25 z5 f100");
+  EXPECT_EQ(lines(program).at(10), "feed x25 z-10 f100");
+  EXPECT_EQ(lines(program, clear).at(10), "feed x25 z5 f100");
+  EXPECT_EQ(lines("G94 X60 Z-10 F100\nG18 G21 X50", clear).at(5), "feed x25 z-10 f100");
+}
+
+// 5 inches a minute are 127 mm, and 127 mm times 25.4 are 3225.8.
+TEST(OpenPoints, OtherUnitsLeaveTheFeedOrItsNumber) {
+  const Profile number = profile_with({{"gsk.feed-units", "number"}});
+  EXPECT_EQ(lines("G20 F5\nG21 G01 X40"), Lines{"feed x20 f127"});
+  EXPECT_EQ(lines("G20 F5\nG21 G01 X40", number), Lines{"feed x20 f5"});
+  EXPECT_EQ(lines("F127\nG20 G01 X2", number), Lines{"feed x25.4 f3225.8"});
+  EXPECT_EQ(lines("G20 F5\nG21 G01 X40 F9", number), Lines{"feed x20 f9"});
+}
+
+TEST(OpenPoints, AnotherKindOfFeedLeavesItsNumberOrTakesItAway) {
+  const Profile deleted = profile_with({{"gsk.feed-change", "deleted"}});
+  EXPECT_EQ(lines("F100\nG99 G01 X20"), Lines{"feed x10 f100/rev"});
+  EXPECT_EQ(ending("F100\nG99 G01 X20", deleted), "alarm b2 feed-missing");
+  EXPECT_EQ(lines("F100\nG99 G01 X20 F0.2", deleted), Lines{"feed x10 f0.2/rev"});
+  EXPECT_EQ(lines("F100\nG98 G01 X20", deleted), Lines{"feed x10 f100"});
+}
+
 TEST(OpenPoints, TheInchFeedOfALoneRotaryAxisIsScaledOrInDegrees) {
   const Profile degrees = profile_with({{"gsk.rotary-feed-inch", "degrees"}});
   EXPECT_EQ(lines("G20 G01 C90 F10"), (Lines{"feed c90 f254"}));

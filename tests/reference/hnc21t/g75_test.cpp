@@ -191,7 +191,7 @@ TEST(G75, AsksItsReadingsOnlyWhereTheyMatter) {
   EXPECT_EQ(touched("G37 G75 X-30 R1 Q30 F30"), Lines{});
   EXPECT_EQ(touched("G75 X30 Z-26 I3 P3 F30"), (Lines{"hnc.g75.steps", "hnc.g75.end"}));
   EXPECT_EQ(touched("G75 X30 Z-26 I3 F30"), (Lines{"hnc.g75.i", "hnc.g75.steps", "hnc.g75.end"}));
-  EXPECT_EQ(touched("G75 X30 W0 I3 P3 F30"), Lines{"hnc.g75.steps"});
+  EXPECT_EQ(touched("G75 X30 W0 I3 P3 F30"), (Lines{"hnc.g75.steps", "hnc.g75.zero-width"}));
 }
 
 }  // namespace

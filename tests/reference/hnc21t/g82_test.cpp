@@ -155,7 +155,8 @@ TEST(G82, NamesTheClauseOfEachMotion) {
 
 TEST(G82, AsksItsReadingsOnlyWhereTheyMatter) {
   EXPECT_EQ(touched("G82 X20 Z-10 F3"), Lines{"hnc.g82.exit"});
-  EXPECT_EQ(touched("G82 X20 Z-10 C2 P90 F3"), (Lines{"hnc.g82.exit", "hnc.g82.starts"}));
+  EXPECT_EQ(touched("G82 X20 Z-10 C2 P90 F3"),
+            (Lines{"hnc.g82.exit", "hnc.g82.starts", "hnc.g82.order"}));
   EXPECT_EQ(touched("G82 X20 Z-10 R-1 E1 F3"), (Lines{"hnc.g82.exit", "hnc.g82.e-scale"}));
   EXPECT_EQ(touched("G37 G82 X20 Z-10 R-1 E1 F3"), Lines{"hnc.g82.exit"});
   EXPECT_EQ(touched("G20 G82 X20 Z-10 F3"), (Lines{"hnc.g82.exit", "hnc.lead.unit"}));

@@ -99,6 +99,25 @@ TEST(NgcParameters, SayWhereTheProgramIs) {
   EXPECT_EQ(path("G0 X4\nG92 X7\nG20\nG1 F1 Y[#5420*25.4]").back(), "feed y177.8 f25.4");
 }
 
+// LinuxCNC's table of named parameters, and what its interpreter makes of them.
+TEST(NgcParameters, SayWhatIsInForce) {
+  EXPECT_EQ(path("G18\nG0 Y#<_plane>"), Lines{"rapid y180"});
+  EXPECT_EQ(path("G0 X#<_coord_system>\nG59.3\nX#<_coord_system>"),
+            (Lines{"rapid x540", "rapid x593"}));
+  EXPECT_EQ(path("G90.1\nG0 X[2+#<_ijk_absolute_mode>]"), Lines{"rapid x3"});
+  EXPECT_EQ(path("G95\nG0 X[2+#<_units_per_rev>] Y[2+#<_units_per_minute>]"), Lines{"rapid x3 y2"});
+  EXPECT_EQ(path("G93\nG0 X[2+#<_inverse_time>] Y[2+#<_units_per_minute>]"), Lines{"rapid x3 y2"});
+  EXPECT_EQ(path("M4 M7\nG0 X[2+#<_spindle_on>] Y[2+#<_spindle_cw>] Z[2+#<_mist>]"),
+            Lines{"rapid x3 y2 z3"});
+  EXPECT_EQ(path("F123\nG0 X#<_feed>"), Lines{"rapid x123"});
+  EXPECT_EQ(ending_of("F123\nG20\nG0 X#<_feed>"), "not-covered b3 #<_feed>");
+}
+
+// It says whether messages are shown, which moves nothing.
+TEST(NgcParameters, TheSwitchOfMessagesIsTheProgramsOwn) {
+  EXPECT_EQ(path("G0 X[2+#5599]\n#5599=0\nX[5+#5599]"), (Lines{"rapid x3", "rapid x5"}));
+}
+
 TEST(NgcParameters, GrowNoFurtherThanTheGaugeKeeps) {
   std::string program = "#1=3\n";
   for (int i = 0; i < 20; ++i) program += "#1=[#1*#1]\n";

@@ -94,5 +94,21 @@ TEST(NgcDwell, ABlockWhoseMotionAlarmsMayHaveDwelt) {
   }
 }
 
+// The documents: 256 characters.
+TEST(NgcInterpreters, ALineOfMoreThan256CharactersIsReadOrNot) {
+  const auto line = [](std::size_t size) {
+    const std::string words = "G0 X1 (";
+    return words + std::string(size - words.size() - 1, 'a') + ")";
+  };
+  const Profile reads = ngc({{"ngc.long-line", "read"}});
+  const Profile refuses = ngc({{"ngc.long-line", "syntax"}});
+  EXPECT_EQ(path(line(256), reads), Lines{"rapid x1"});
+  EXPECT_EQ(path(line(256), refuses), Lines{"rapid x1"});
+  EXPECT_EQ(path(line(257), reads), Lines{"rapid x1"});
+  EXPECT_EQ(ending_of("G0 X5\n" + line(257), refuses), "alarm b2 syntax");
+  EXPECT_EQ(touched(line(256) + "\nM2"), Lines{});
+  EXPECT_EQ(touched(line(257) + "\nM2"), Lines{"ngc.long-line"});
+}
+
 }  // namespace
 }  // namespace gonogo::reference::testing::ngc

@@ -118,6 +118,26 @@ TEST(NgcModes, M72RestoresWhatM70Saved) {
   EXPECT_EQ(ending_of("M70\nM3\nM72"), "not-covered b3 M");
 }
 
+// F100 was written in millimetres; saved and restored is the number, in inches: 2,540 mm/min.
+TEST(NgcModes, FIsRestoredAsANumberOfTheUnitsThatAreRestored) {
+  EXPECT_EQ(path("F100\nG20\nM70\nF5\nM72\nG1 X1"), Lines{"feed x25.4 f2540"});
+  EXPECT_EQ(path("G20 F10\nM70\nG21 F50\nM72\nG1 X1"), Lines{"feed x25.4 f254"});
+  EXPECT_EQ(path("G20 F10\nG21\nM70\nF50\nM72\nG1 X1"), Lines{"feed x1 f10"});
+  EXPECT_EQ(path("o1 sub\nM73\nF5\no1 endsub\nF100\nG20\no1 call\nG1 X1"),
+            Lines{"feed x25.4 f2540"});
+  Profile profile = ngc();
+  profile.initial.feed = 100;  // of power-on: no number was written
+  EXPECT_EQ(path("G20\nM70\nF5\nM72\nG1 X1", profile), Lines{"feed x25.4 f100"});
+}
+
+TEST(NgcModes, NoOverrideIsRestored) {
+  for (const char* change : {"M49", "M50 P0", "M51 P0", "M52", "M53 P0"}) {
+    const std::string program = std::string("M70\n") + change + "\nM72\nG0 X1";
+    EXPECT_EQ(ending_of(program), "not-covered b3 M") << change;
+  }
+  EXPECT_EQ(path("M70\nM49\nM48\nM72\nG0 X1"), Lines{"rapid x1"});
+}
+
 TEST(NgcModes, M73RestoresWhereItsSubroutineEnds) {
   EXPECT_EQ(path("o1 sub\nM73 G91\no1 endsub\nG0 X1\no1 call\nX1"),
             (Lines{"rapid x1", "rapid x1"}));

@@ -127,6 +127,7 @@ TEST(NgcOWords, M98CallsWhatStandsBehindIt) {
 
 TEST(NgcOWords, StylesOfSubprogramsDoNotMix) {
   EXPECT_EQ(ending_of("M98 P1\nM2\nO1 sub\nO1 endsub"), "alarm b1 syntax");
+  EXPECT_EQ(ending_of("O1 sub\nG0 X1\nO1 endsub\nM98 P1\nM2"), "alarm b4 syntax");
   EXPECT_EQ(ending_of("M98 P1\nM2\nO1\nG0 X1\nO1 endsub"), "alarm b1 syntax");
   EXPECT_EQ(ending_of("O1 call\nM2\nO1\nG0 X1\nM99"), "alarm b1 syntax");
   EXPECT_EQ(ending_of("O1 sub\nM99\nO1 endsub\nO1 call\nM2"), "alarm b2 syntax");

@@ -150,5 +150,16 @@ TEST(NgcWords, G80BesideAnotherMotionMayBeForgotten) {
   EXPECT_EQ(path("G00 G17 G21 G40 G49 G80 G90\nX1", ignored), Lines{"rapid x1"});
 }
 
+// No text says how deep brackets may stand or how long a line may be.
+TEST(NgcProgram, WhatTheGaugeAloneDoesNotReadIsNoAlarm) {
+  const auto nested = [](std::size_t depth) {
+    return "G0 X" + std::string(depth, '[') + "1" + std::string(depth, ']');
+  };
+  EXPECT_EQ(path(nested(64)), Lines{"rapid x1"});
+  EXPECT_EQ(ending_of(nested(65)), "not-covered b1 nested-too-deep");
+  EXPECT_EQ(ending_of("G0 X1" + std::string(std::size_t{1} << 20, ' ')),
+            "not-covered b1 line-too-long");
+}
+
 }  // namespace
 }  // namespace gonogo::reference::testing::ngc

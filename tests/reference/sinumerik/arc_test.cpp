@@ -99,5 +99,16 @@ TEST(SieArc, ARotaryAxisGoesAlong) {
   EXPECT_EQ(line("G2 X10 I5 A90 F9", 0), "arc x10 y0 a90 c5,0 rot-1 f9");
 }
 
+// SIE-ARC-12: half a turn about X0, in the plane of Z and X at Z5, or of X and Y down to Z0.
+TEST(SieArc, ToTwoAxesByOneCentreWordItsPlaneIsAReading) {
+  const Profile helix = sie({{"sie.arc.plane", "helix"}});
+  EXPECT_EQ(last_motion("G0 X10 Z5\nG2 X-10 Z5 I-10 F100").plane, Plane::g18);
+  EXPECT_EQ(last_motion("G0 X10 Z5\nG2 X-10 Z5 I-10 F100", helix).plane, Plane::g17);
+  EXPECT_EQ(line("G0 X10 Z5\nG2 X-10 Z0 I-10 F100", 1, helix), "arc x-10 y0 z0 c0,0 rot-1 f100");
+  EXPECT_EQ(outcome("G0 X10 Z5\nG2 X-10 Z0 I-10"), "arc-end-point I");
+  EXPECT_EQ(last_motion("G0 X10 Z5\nG3 X10 Z25 K10 F100", helix).plane, Plane::g18);
+  EXPECT_EQ(last_motion("G0 X10 Z5\nG2 X-10 Z5 I-10 K0 F100", helix).plane, Plane::g18);
+}
+
 }  // namespace
 }  // namespace gonogo::reference::testing::sie

@@ -3,7 +3,7 @@
 // Straight motions, dwells, feeds, units, M functions: SIE-G1, SIE-ADDR, SIE-MOD, SIE-COM.
 #include <gtest/gtest.h>
 
-#include "sie_expanding.hpp"
+#include "s802_expanding.hpp"
 
 namespace gonogo::reference::testing::sie {
 namespace {
@@ -46,6 +46,34 @@ TEST(SieBasic, TheCodesOfTheCuttingSpeedChooseTheFeedToo) {
   EXPECT_EQ(path("G96 S120\nG1 X1 F0.2\nG97 S800\nX2\nG961 S90 F50\nX3\nG971\nX4"),
             (Lines{"feed x1 f0.2/rev", "feed x2 f0.2/rev", "feed x3 f50", "feed x4 f50"}));
   EXPECT_EQ(outcome("G95 G96"), "duplicate-word G");
+}
+
+// SIE-MOD-08. G97 gives a feed per revolution as G95 does: no change.
+TEST(SieBasic, WhetherFStaysWhereTheFeedChangesIsAReading) {
+  const Profile deletes = sie({{"sie.feed-change", "deleted"}});
+  constexpr std::string_view kChange = "G1 X1 F100\nG95 X2";
+  EXPECT_EQ(path(kChange, sie({{"sie.feed-change", "kept"}})),
+            (Lines{"feed x1 f100", "feed x2 f100/rev"}));
+  EXPECT_EQ(outcome_of_program(kChange, deletes), "feed-missing F");
+  EXPECT_EQ(outcome_of_program("F100\nG961 S90\nG1 X1", deletes), "end");
+  EXPECT_EQ(outcome_of_program("F100\nG95\nG94 G1 X1", deletes), "feed-missing F");
+  EXPECT_EQ(path("G1 X1 F100\nG95 X2 F0.2\nG97 X3\nG95 X4", deletes),
+            (Lines{"feed x1 f100", "feed x2 f0.2/rev", "feed x3 f0.2/rev", "feed x4 f0.2/rev"}));
+  EXPECT_EQ(touched("S1 M3 F100\nG95 G0 X1\nF0.2\nG1 X2"), Lines{});
+  EXPECT_EQ(touched("S1 M3 F100\nG95 G1 X1"), Lines{"sie.feed-change"});
+  Profile comes_up = deletes;
+  comes_up.initial.feed = 100;
+  EXPECT_EQ(outcome_of_program("G1 X1\nG95 X2", comes_up), "feed-missing F");
+}
+
+// SIE-MOD-09, SIE-COM-05, SIE-COM-06: what the block does that a control may refuse.
+TEST(SieBasic, RunsOnWhereNoTextHasAnAlarm) {
+  EXPECT_EQ(path("G0 X1 M3 S600\nM5\nG4 S10"), (Lines{"rapid x1", "dwell 1"}));
+  for (const char* block : {"G0 X1 T-1", "G0 X1 T1.5", "G0 X1 D-1", "G0 X1 D1.5", "G0 X1 D10",
+                            "G0 X1 H1.5", "G0 X1 F0"}) {
+    EXPECT_EQ(path(block), Lines{"rapid x1"}) << block;
+    EXPECT_EQ(path(block, s802()), Lines{"rapid x1"}) << block;
+  }
 }
 
 // 10 turns at 600 a minute last a second. After G97 alone the spindle turns as it did, however that

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "reference/dialect.hpp"
-#include "sie_expanding.hpp"
+#include "s802_expanding.hpp"
 
 namespace gonogo::reference::testing::sie {
 namespace {
@@ -36,6 +36,14 @@ TEST(SieCodes, OutsideCodesAreNotCovered) {
     const std::string value = std::string(code) == "P" ? "1" : "";
     EXPECT_EQ(outcome("X1 " + std::string(code) + value), "not-covered " + std::string(code));
   }
+  for (const int code : {5,   7,   58,  59,  140, 141, 142, 143, 335, 336, 460, 461, 462, 621,
+                         643, 644, 645, 751, 810, 815, 819, 820, 829, 931, 942, 952, 972, 973}) {
+    const std::string name = (code < 10 ? "G0" : "G") + std::to_string(code);
+    EXPECT_EQ(outcome("X1 " + name), "not-covered " + name);
+    EXPECT_EQ(outcome("X1 " + name, s802()), "not-covered " + name);
+  }
+  EXPECT_EQ(outcome("G22", s802()), "not-covered G22");
+  EXPECT_EQ(outcome("G23 X1", s802()), "not-covered G23");
   EXPECT_EQ(outcome("CYCLE800(1,2)"), "not-covered CYCLE800");
   EXPECT_EQ(outcome("G1 B5"), "not-covered B");
   EXPECT_EQ(outcome("L10"), "not-covered L");
@@ -45,8 +53,8 @@ TEST(SieCodes, OutsideCodesAreNotCovered) {
 }
 
 TEST(SieCodes, CodesThatTheControlLacksAreAlarms) {
-  for (const char* code : {"G5", "G20", "G21", "G80", "G158", "G258", "G259", "G504", "G600",
-                           "G1.5", "G999", "G100000"}) {
+  for (const char* code : {"G6", "G8", "G20", "G21", "G22", "G23", "G52", "G80", "G158", "G258",
+                           "G259", "G504", "G600", "G1.5", "G999", "G100000"}) {
     EXPECT_EQ(outcome(code), "undefined-code G") << code;
   }
   EXPECT_EQ(outcome("LCYC99"), "undefined-code LCYC99");
@@ -69,8 +77,8 @@ TEST(SieCodes, NamesOfTheOwnerAreNotCovered) {
 }
 
 TEST(SieCodes, WhatIsNotCoveredGoesBeforeWhatIsWrong) {
-  EXPECT_EQ(outcome("G1 X1 X2 G5 TRANS"), "not-covered TRANS");
-  EXPECT_EQ(outcome("G1 X1 X2 G5 LCYC99"), "undefined-code G, undefined-code LCYC99");
+  EXPECT_EQ(outcome("G1 X1 X2 G6 TRANS"), "not-covered TRANS");
+  EXPECT_EQ(outcome("G1 X1 X2 G6 LCYC99"), "undefined-code G, undefined-code LCYC99");
 }
 
 TEST(SieCodes, TwoCodesOfAGroupAreAnAlarm) {

@@ -216,9 +216,20 @@ TEST(SieFrame, ATangentArcFollowsTheMotionBeforeTheFrame) {
 
 TEST(SieFrame, PolesArePlacesOfTheWorkpiece) {
   EXPECT_EQ(moves("G158 X10\nG0 AP=0 RP=5"), Lines{"rapid x15 y0"});
-  EXPECT_EQ(line("G0 X5 Y0\nG110\nG158 X10\nG0 AP=0 RP=1", 1, s802()), "rapid x16 y0");
   EXPECT_EQ(line("G0 X5 Y0\nG158 X10\nG110\nG0 AP=90 RP=1", 1, s802()), "rapid x5 y1");
   EXPECT_EQ(moves("G258 RPL=90\nG111 X3 Y0\nG0 AP=0 RP=1"), Lines{"rapid x0 y4"});
+}
+
+// A pole may go along, stay on the machine or go back to the zero; G53 may leave a frame out.
+TEST(SieFrame, WhatNoTextSaysOfAFrameIsNotCovered) {
+  const Profile profile = s802();
+  EXPECT_EQ(outcome("G111 X5\nG158 X10\nG0 AP=0 RP=1", profile), "not-covered RP");
+  EXPECT_EQ(outcome("G110\nG258 RPL=30\nG112 X1", profile), "not-covered G112");
+  EXPECT_EQ(outcome("G111 X5\nG158 X10\nG17\nG0 AP=0 RP=1", profile), "end");
+  EXPECT_EQ(outcome("G111 X5\nG158\nG0 AP=0 RP=1", profile), "end");  // none was in force
+  EXPECT_EQ(outcome("G158 X10\nG53 G0 X1", profile), "not-covered G53");
+  EXPECT_EQ(outcome("G158 X10\nG53\nG0 X1", profile), "end");
+  EXPECT_EQ(outcome("G158 X10\nG158\nG53 G0 X1", profile), "end");
 }
 
 TEST(SieFrame, TheSister840DHasNone) {

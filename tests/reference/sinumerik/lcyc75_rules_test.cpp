@@ -160,6 +160,31 @@ TEST(Lcyc75Rules, AllBrokenRulesAreReportedInTheOrderOfTheirParameters) {
             "no-tool T, spindle-stopped S");
 }
 
+// SIE-MOD-09: the spindle of the program turns; a control that refuses it behind these may.
+TEST(Lcyc75Rules, ASpindleThatWasBroughtToAPlaceMayBeRefused) {
+  const auto accepts = [](std::string_view changes) {
+    const Profile profile = s802();
+    const std::string program = pocket_program(changes);
+    grammar::MemorySource bytes(program);
+    grammar::LineSource source(bytes);
+    Expander expander(profile, source, OpenPaths::shown);
+    std::size_t found = 0;
+    expander.on_acceptance([&](std::uint64_t, ClauseId clause) {
+      if (clause_name(clause) == "SIE-MOD-09") ++found;
+    });
+    while (expander.next() != nullptr) {
+    }
+    return found;
+  };
+  EXPECT_EQ(accepts(""), 0U);
+  for (const char* placed : {"SPOS=0", "SPOSA=90", "M19", "M70"}) {
+    EXPECT_EQ(accepts(placed), 1U) << placed;
+    EXPECT_EQ(accepts(std::string(placed) + "\nM3"), 0U) << placed;
+    EXPECT_EQ(pocket_outcome(placed), "end");
+    EXPECT_EQ(pocket_outcome(std::string("M5\n") + placed), "spindle-stopped S");
+  }
+}
+
 TEST(Lcyc75Rules, StandsAlone) {
   EXPECT_EQ(outcome_of_program(pocket_program("LCYC75 G1"), s802()), "conflicting-words G");
   EXPECT_EQ(outcome_of_program(pocket_program("R127=2 LCYC75"), s802()), "conflicting-words R127");

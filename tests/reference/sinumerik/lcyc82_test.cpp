@@ -50,6 +50,8 @@ TEST(Lcyc82, ItsFeedIsInInchesWhereThoseOfMotionsAre) {
 
 TEST(Lcyc82, ItsFeedIsThatInForce) {
   EXPECT_EQ(drills("G95 F0.1")[1], "feed z-17.5 f0.1/rev");
+  EXPECT_EQ(outcome_of_program(hole("G95"), s802({{"sie.feed-change", "deleted"}})),
+            "feed-missing F");
 }
 
 TEST(Lcyc82, TheRetractPlaneIsNotBelowTheClearance) {

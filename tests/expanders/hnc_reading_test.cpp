@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of the machine: each reading against the standard outcome on one program. X is a
+// diameter, and the tool begins at X0 Z0.
+#include <gtest/gtest.h>
+
+#include "harness.hpp"
+
+namespace gonogo::expanders::testing {
+namespace {
+
+Outcome run_as(const std::string& reading, const std::string& value, std::string_view program) {
+  return run_hnc(program, R"({"readings":{")" + reading + "\":\"" + value + "\"}}");
+}
+
+TEST(HncReading, Rewrite) {
+  const std::string program = "G80 X20 Z-10 I-5 F50\nG80 X20 Z-10\n";
+  EXPECT_EQ(run_as("hnc.rewrite", "keep", program).records[4], "rapid x=5");
+  EXPECT_EQ(run_as("hnc.rewrite", "clear", program).records[4], "rapid x=10");
+  const std::string thread = "G82 X20 Z-10 F2\nG82 X20 Z-10\n";
+  EXPECT_EQ(run_as("hnc.rewrite", "keep", thread).answer, GONOGO_OK);
+  EXPECT_EQ(run_as("hnc.rewrite", "clear", thread).alarm, "lead-missing");
+}
+
+TEST(HncReading, EmptyBlock) {
+  const std::string program = "G80 X20 Z-10 F50\nG80 F60\n";
+  const std::string once = "rapid x=10\nfeed x=10 z=-10 f=50\nfeed x=0 f=50\nrapid z=0\n";
+  const std::string again = "rapid x=10\nfeed x=10 z=-10 f=60\nfeed x=0 f=60\nrapid z=0\n";
+  EXPECT_EQ(run_as("hnc.empty-block", "none", program).motions(), once);
+  EXPECT_EQ(run_as("hnc.empty-block", "repeat", program).motions(), once + again);
+  EXPECT_EQ(run_as("hnc.empty-block", "repeat", "G80 F50\n").motions(), "");
+}
+
+TEST(HncReading, DrillX) {
+  const std::string program = "G74 X20 Z-10 F50\n";
+  EXPECT_EQ(run_as("hnc.g74.x", "none", program).motions(), "feed z=-10 f=50\nrapid z=0\n");
+  EXPECT_EQ(run_as("hnc.g74.x", "first", program).motions(),
+            "rapid x=10\nfeed z=-10 f=50\nrapid z=0\n");
+}
+
+TEST(HncReading, ZeroWidth) {
+  const std::string plunge = "feed x=-10 f=50\nrapid x=0\n";
+  const std::string program = "G75 X-20 W0 I1 F50\n";
+  EXPECT_EQ(run_as("hnc.g75.zero-width", "each", program).motions(), plunge + plunge);
+  EXPECT_EQ(run_as("hnc.g75.zero-width", "once", program).motions(), plunge);
+}
+
+TEST(HncReading, OrderOfStarts) {
+  const std::string program = "G82 X20 Z-10 C2 P90 F2\n";
+  const auto first = [&](const char* value) {
+    return run_as("hnc.g82.order", value, program).records[1];
+  };
+  EXPECT_NE(first("rising").find("start=0"), std::string::npos) << first("rising");
+  EXPECT_NE(first("falling").find("start=90"), std::string::npos) << first("falling");
+}
+
+// F4 of inches is 101.6 mm; F254 of millimetres is 6451.6 in inches. One of power-on has no number.
+TEST(HncReading, FeedUnits) {
+  const auto feeds = [](const char* value, const char* program) {
+    return run_as("hnc.feed-units", value, program).motions();
+  };
+  EXPECT_EQ(feeds("length", "G20 F4\nG21 G1 X40\n"), "feed x=20 f=101.6\n");
+  EXPECT_EQ(feeds("number", "G20 F4\nG21 G1 X40\n"), "feed x=20 f=4\n");
+  EXPECT_EQ(feeds("number", "F254\nG20 G1 X2\n"), "feed x=25.4 f=6451.6\n");
+}
+
+TEST(HncReading, FeedChange) {
+  const std::string program = "F50\nG95 G1 X20\n";
+  EXPECT_EQ(run_as("hnc.feed-change", "kept", program).answer, GONOGO_OK);
+  EXPECT_EQ(run_as("hnc.feed-change", "deleted", program).alarm, "feed-missing");
+  EXPECT_EQ(run_as("hnc.feed-change", "deleted", "F50\nG95 G1 X20 F0.2\n").answer, GONOGO_OK);
+  EXPECT_EQ(run_as("hnc.feed-change", "deleted", "F50\nG94 G1 X20\n").answer, GONOGO_OK);
+}
+
+}  // namespace
+}  // namespace gonogo::expanders::testing
