@@ -30,6 +30,7 @@ std::size_t Alignment::first_step() const {
 
 bool Alignment::take_motion(const Record& record, std::size_t number) {
   farthest_.reset();
+  own_.reset();
   Stage stage;
   stage.branches = hypotheses_.size() > 1;
   for (Hypothesis& from : std::exchange(hypotheses_, {})) {
@@ -47,6 +48,7 @@ bool Alignment::settle() {
     return true;
   }
   farthest_.reset();
+  own_.reset();
   std::vector<Hypothesis> reached;
   for (Hypothesis& from : std::exchange(hypotheses_, {})) {
     std::vector<Hypothesis> beyond;
@@ -96,7 +98,21 @@ void Alignment::refute(Refutation refutation) {
   }
   const bool is_farther = !farthest_ || refutation.from.step > farthest_->from.step;
   const bool is_own = farthest_ && farthest_->may_be_passed && refutation.is_of_other_block();
-  if (is_farther && !is_own) farthest_ = std::move(refutation);
+  if (refutation.may_be_passed) keep_own(refutation);
+  if (!is_farther || is_own) return;
+  farthest_ = refutation.is_undue && own_ ? *own_ : std::move(refutation);
+}
+
+// J-CMP-12: where no motion is due any more, the one that came is the first of its block that it
+// may stand for, and that was passed over. Not one of which rounding decides what it is.
+void Alignment::keep_own(const Refutation& refutation) try {
+  const auto is_of_kind = [](const Refutation& one) {
+    return one.answer.departure != Departure::kind;
+  };
+  const bool is_better = !own_ || (!is_of_kind(*own_) && is_of_kind(refutation));
+  const Motion& want = refutation.from.curve->motion();
+  if (is_better && !hangs_on_rounding(want, tolerances_.tolerance)) own_ = refutation;
+} catch (const exact::Undecided&) {  // it may be one
 }
 
 void Alignment::refute(Hypothesis from, const Motion& motion, Verdict verdict) {
@@ -253,12 +269,16 @@ bool Alignment::go_on_behind_end(Hypothesis& hypothesis, Verdict departure) {
   return true;
 }
 
-// Where no motion is due: at a dwell, an alarm or the end. True: behind the end.
+// Where no motion is due: at a dwell, an alarm or the end. True: behind the end, or the dwell.
 bool Alignment::meet_last(Hypothesis& from, const Motion& motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
   if (is_negligible(from, motion, step.place)) {
     stay(from, motion, stage);
     return false;
+  }
+  if (may_be_none(step.what)) {
+    ++from.step;
+    return true;
   }
   auto* report = std::get_if<AlarmReport>(&step.what);
   const bool is_earlier = report != nullptr && tolerances_.compare_blocks && steps_.is_in_order() &&
@@ -270,7 +290,9 @@ bool Alignment::meet_last(Hypothesis& from, const Motion& motion, Stage& stage) 
   }
   Verdict verdict = motion_too_many(motion, step, tolerances_);
   if (go_on_behind_end(from, verdict)) return true;
-  refute(Refutation{from, motion, {}, std::move(verdict), late_dwell(step.what)});
+  Refutation undue{from, motion, {}, std::move(verdict), late_dwell(step.what)};
+  undue.is_undue = true;
+  refute(std::move(undue));
   return false;
 }
 

@@ -72,6 +72,7 @@ struct Refutation {
   std::optional<Verdict> verdict;
   OtherOrder other_order = {};
   bool may_be_passed = false;  // the step is negligible: what departs may be of one behind it
+  bool is_undue = false;       // no motion is due where it comes
   bool is_of_other_block() const { return !verdict && answer.departure == Departure::block; }
 };
 
@@ -115,6 +116,8 @@ class Alignment {
     std::optional<Verdict> why_not = {};  // of an open path that may not end here
   };
   Passing pass(Hypothesis& hypothesis);
+  // R3: whether the step is a dwell so short that, rounded, it is none.
+  bool may_be_none(const ReferenceStep& step) const;
   // Goes past a step as it is.
   void skip(Hypothesis& hypothesis);
   // R7. Goes on behind an end that no text states, which is an advice: what departs there
@@ -200,6 +203,7 @@ class Alignment {
   static void stay(Hypothesis from, const Motion& motion, Stage& stage);
   bool finish(std::vector<Hypothesis> reached);
   void refute(Refutation refutation);
+  void keep_own(const Refutation& refutation);
   void refute(Hypothesis from, const Motion& motion, Verdict verdict);
   void refute(Hypothesis from, Verdict verdict);
   void leave_undecided(std::size_t step, Verdict gap);
@@ -215,6 +219,8 @@ class Alignment {
   OpenStepMemory& memory_;
   std::vector<Hypothesis> hypotheses_;
   std::optional<Refutation> farthest_;
+  // J-CMP-12: of the motion that is met, from a step of its own block that is too small to see.
+  std::optional<Refutation> own_;
   // For a hypothesis that may be right as far as is known, and the step where it was given up.
   std::optional<Verdict> gap_;
   std::size_t gap_step_ = 0;

@@ -125,7 +125,7 @@ void Alignment::refute_early(Hypothesis from, const Record& record, std::size_t 
                                  !curve->follow(from.progress, motion).departs();
                         },
                         kComesEarly};
-  Verdict verdict = ends_early(from, step.what, number, record_text(record));
+  Verdict verdict = ends_early(from, step.what, number, record_text(record), tolerances_);
   if (!from.piece) {
     verdict.message = "This motion is missing: an M function behind it comes.";
     goes_on.verdict = std::move(early);
@@ -180,11 +180,15 @@ bool Alignment::waits_for_m_function(Hypothesis& from, const Motion& motion, Sta
   const DueMFunction* due = overdue(from);
   if (due == nullptr) return false;
   const ReferenceSteps::Step& step = step_of(from);
+  // What moves in a block that is not covered is not known.
+  const bool is_known = !std::holds_alternative<reference::NotCovered>(step.what);
   if (is_negligible(from, motion, step.place)) {
     stay(std::move(from), motion, stage);
-  } else if (is_end(step.what)) {
-    refute(std::move(from), motion, motion_too_many(motion, step, tolerances_));
-  } else if (is_undue(motion, step)) {
+  } else if (is_known && is_end(step.what)) {
+    Refutation undue{std::move(from), motion, {}, motion_too_many(motion, step, tolerances_)};
+    undue.is_undue = true;
+    refute(std::move(undue));
+  } else if (is_known && is_undue(motion, step)) {
     refute(std::move(from), motion, motion_for_m_function(*due, motion, step, tolerances_));
   } else {
     refute_missing(std::move(from), *due, record_text(motion.record), motion.number);

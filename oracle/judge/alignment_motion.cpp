@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "oracle/judge/grade.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/motion/arc_turns.hpp"
 #include "oracle/motion/curve_follower.hpp"

@@ -78,7 +78,7 @@ bool Alignment::take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached)
   if (motion.record.kind == RecordKind::arc3) motion = as_arc(motion).value_or(motion);
   OpenStepAnswer answer = from.open->take(motion);
   if (answer.is_decided()) {
-    answer.verdict.rule = RelationRule::free_step;
+    if (!from.open->is_path_known()) answer.verdict.rule = RelationRule::free_step;
     refute(std::move(from), motion, std::move(answer.verdict));
     return false;
   }
@@ -126,10 +126,14 @@ Alignment::Passing Alignment::pass(Hypothesis& from) {
     ++from.step;
     return {true};
   }
+  if (may_be_none(step.what)) {
+    ++from.step;
+    return {true};
+  }
   OpenStep* open = open_step_of(from);
   if (open == nullptr) return {};
   if (std::optional<Verdict> why_not = open->end(from.at)) {
-    why_not->rule = RelationRule::free_step;
+    if (!open->is_path_known()) why_not->rule = RelationRule::free_step;
     return {false, std::move(why_not)};
   }
   return {leave_open_step(from, from.at)};

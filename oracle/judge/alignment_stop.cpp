@@ -3,6 +3,7 @@
 // Alignment's part for dwells.
 #include "oracle/judge/alignment.hpp"
 #include "oracle/judge/mismatch.hpp"
+#include "oracle/motion/labels.hpp"
 #include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
@@ -24,6 +25,12 @@ OtherOrder Alignment::late_dwell(const ReferenceStep& due) const {
   if (dwell_of(due) == nullptr) return {};
   return {[due, this](const Record& record) { return is_dwell_due(due, record, tolerances_); },
           "A dwell comes later than it is due."};
+}
+
+// R3.
+bool Alignment::may_be_none(const ReferenceStep& step) const {
+  const Record* dwell = dwell_of(step);
+  return dwell != nullptr && may_be_no_dwell(*dwell, tolerances_);
 }
 
 // R5.

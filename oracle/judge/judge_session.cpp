@@ -40,6 +40,17 @@ std::vector<Record> traverses_of(const Profile& profile, const ProgramText& prog
   return traverses;
 }
 
+// The open readings that an assignment has otherwise than `expand` shows them.
+std::string not_as_shown(const ReadingChoice& choice, std::span<const ReadingKey> keys) {
+  std::string text;
+  for (const ReadingKey key : keys) {
+    const reference::Reading& reading = reference::reading(key);
+    if (choice.is(key, reading.alternatives.front())) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", reading.name, choice.get(key));
+  }
+  return text;
+}
+
 // How far the subject stands from the end of the traverse, along its axes.
 std::vector<Number> lengths_between(const Record& traverse, const Position& subject) {
   std::vector<Number> lengths;
@@ -59,6 +70,7 @@ struct JudgeSession::Fork {
       : set(std::move(its_set)),
         profile(std::make_shared<const Profile>(with_readings(its, set.taken()))),
         judge(*profile, program, tolerances, &set, forking) {}
+  std::string told_under() const { return not_as_shown(set.taken(), set.settled()); }
   AssignmentSet set;
   const std::shared_ptr<const Profile> profile;
   ProgramJudge judge;
@@ -120,7 +132,8 @@ void JudgeSession::bury(const std::shared_ptr<Fork>& fork) {
   most_others_ = std::max(most_others_, judge.watched().others());
   const bool keeps = departures_.size() < kMaximumAssignments;
   const bool is_best = consider(
-      {keeps ? judge.decided() : judge.finish(RunEnd{}), judge.progress()}, keeps ? fork : nullptr);
+      {keeps ? judge.decided() : judge.finish(RunEnd{}), judge.progress(), fork->told_under()},
+      keeps ? fork : nullptr);
   if (is_best) surplus_ = judge.surplus();
   try_lengths(*fork);
 }
@@ -148,11 +161,16 @@ void JudgeSession::try_length(const Fork& fork, ReadingKey key, const Number& le
   add_fork(fork.set.with(key, *text));
 }
 
-// Keeps what came farther; else what took more records; else what came first.
+// J-READ-01. Keeps what came farther; else the departure of the path that `expand` shows; else what
+// took more records; else what came first.
 bool JudgeSession::consider(SampledVerdict said, std::shared_ptr<Fork> unexplained) {
   if (decision(said.verdict.kind) == Decision::no_go) departures_.push_back({said, unexplained});
   const bool is_later = records_ > best_records_;
-  if (best_ && !outranks(said, *best_) && (!is_later || outranks(*best_, said))) return false;
+  if (best_ && !outranks(said, *best_)) {
+    const bool is_kept = decision(said.verdict.kind) == Decision::no_go &&
+                         best_->told_under.empty() && !said.told_under.empty();
+    if (!is_later || is_kept || outranks(*best_, said)) return false;
+  }
   best_ = std::move(said);
   best_unexplained_ = std::move(unexplained);
   best_records_ = records_;
@@ -174,6 +192,16 @@ void JudgeSession::explain_best() {
 }
 
 namespace {
+
+// J-READ-01.
+void name_readings(const std::string& told_under, Verdict& verdict) {
+  const bool departs =
+      decision(verdict.kind) == Decision::no_go || verdict.kind == VerdictKind::advice;
+  if (!departs || told_under.empty()) return;
+  verdict.told_under = told_under;
+  verdict.message +=
+      fmt::format("{}That is as {} has it.", verdict.message.empty() ? "" : " ", told_under);
+}
 
 bool runs_on(const Verdict& said) {
   return said.kind == VerdictKind::advice && said.departure == VerdictKind::fail_alarm_missing;
@@ -311,6 +339,7 @@ void JudgeSession::finish_forks(const RunEnd& end) {
     SampledVerdict said{fork.judge.finish(end), 0};
     said.progress = fork.judge.progress();
     part(fork);
+    said.told_under = fork.told_under();
     most_others_ = std::max(most_others_, fork.judge.watched().others());
     if (decision(said.verdict.kind) == Decision::go) {
       for (const ReadingKey key : open_lengths(fork.set, fork.judge.readings())) {
@@ -332,6 +361,7 @@ void JudgeSession::finish_sampled(const SampledOutcome& sampled, const RunEnd& e
   for (const ReadingChoice& choice : assignments.choices) {
     SampledVerdict said =
         sampled.judge(with_readings(profile_, choice), program_, tolerances_, end);
+    said.told_under = not_as_shown(choice, assignments.open);
     if (decision(said.verdict.kind) == Decision::go) explaining_.push_back(choice);
     consider(std::move(said));
   }
@@ -350,6 +380,14 @@ void JudgeSession::finish_together(const RunEnd& end) {
 }
 
 SessionVerdict JudgeSession::finish(const RunEnd& end) {
+  // J-RUN-05: what came before a skip is not judged.
+  if (end.kind == RunEnd::Kind::skip || end.kind == RunEnd::Kind::refused) {
+    SessionVerdict skipped;
+    skipped.verdict.kind = VerdictKind::skip;
+    skipped.verdict.feature = end.feature;
+    skipped.verdict.message = end.message;
+    return skipped;
+  }
   if (end.sampled != nullptr) {
     finish_sampled(*end.sampled, end);
   } else if (!too_many_) {
@@ -376,6 +414,7 @@ SessionVerdict JudgeSession::finish(const RunEnd& end) {
     return result;
   }
   result.explaining = std::move(explaining_);
+  name_readings(best_->told_under, best_->verdict);
   result.verdict = std::move(best_->verdict);
   return result;
 }

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "oracle/judge/advice.hpp"
 #include "oracle/judge/unit_error.hpp"
@@ -13,8 +15,6 @@
 #include "reference/compared.hpp"
 
 namespace gonogo::oracle {
-
-using reference::kAllAxes;
 
 GapReason reason_of(const reference::NotCovered& outside) {
   return outside.lacks.empty() ? GapReason::not_covered : GapReason::profile_lacks;
@@ -99,9 +99,42 @@ std::string_view short_sentence(RecordKind kind) {
   }
 }
 
+// What is said of whole turns, where pieces of an arc have come as far as `from` and all else of
+// its end agrees. The estimate only chooses between whole numbers.
+std::string missing_turns(const Hypothesis& from, const Tolerances& tolerances) {
+  const Motion& want = from.curve->motion();
+  if (want.record.kind != RecordKind::arc ||
+      !agree(from.piece->to(), want.to(), tolerances.tolerance)) {
+    return {};
+  }
+  return turns_that_came(Number(std::abs(std::int64_t{want.record.rot})),
+                         approximate_turns(want) - from.progress.arc);
+}
+
+// The same where an arc goes on beyond its end.
+std::string more_turns(const Refutation& refutation, const Tolerances& tolerances) {
+  const Motion& want = refutation.from.curve->motion();
+  const Motion& motion = *refutation.motion;
+  const bool are_arcs =
+      want.record.kind == RecordKind::arc && motion.record.kind == RecordKind::arc;
+  if (!are_arcs || refutation.answer.departure != Departure::geometry || refutation.answer.centre ||
+      motion.record.plane != want.record.plane ||
+      !agree(motion.to(), want.to(), tolerances.tolerance)) {
+    return {};
+  }
+  const double more = std::round(refutation.from.progress.arc + approximate_turns(motion) -
+                                 approximate_turns(want));
+  if (more < 1) return {};
+  const Number due(std::abs(std::int64_t{want.record.rot}));
+  return reference::with_values(" It makes {} turns in place of {}.",
+                                {due + Number(static_cast<std::int64_t>(more)), due});
+}
+
 }  // namespace
 
-Verdict short_of(const Motion& want, const Motion& piece) {
+Verdict short_of(const Hypothesis& from, const Tolerances& tolerances) {
+  const Motion& want = from.curve->motion();
+  const Motion& piece = *from.piece;
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
   if (want.record.kind == RecordKind::rapid) verdict.rule = RelationRule::traverse;
@@ -114,6 +147,7 @@ Verdict short_of(const Motion& want, const Motion& piece) {
   verdict.witness = place_text(piece.to());
   try {
     tell_distance(verdict, largest_difference(piece.to(), want.to()), piece.to(), want.to(), 0);
+    verdict.message += missing_turns(from, tolerances);
   } catch (const exact::Undecided&) {
   }
   return verdict;
@@ -127,13 +161,11 @@ void tell_degrees(Verdict& verdict, Axis rotary, const Position& got, const Posi
 }
 
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
-                   const std::string& got) {
-  if (std::holds_alternative<Motion>(step) && from.piece) {
-    return short_of(from.curve->motion(), *from.piece);
-  }
+                   const std::string& got, const Tolerances& tolerances) {
+  if (std::holds_alternative<Motion>(step) && from.piece) return short_of(from, tolerances);
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
-  if (std::holds_alternative<Record>(step)) verdict.rule = RelationRule::event;
+  verdict.rule = RelationRule::event;  // R5: the end comes at another place
   verdict.got = got;
   verdict.clause = clause_of(step);
   verdict.block = block_of(step);
@@ -211,6 +243,7 @@ Verdict motion_for_m_function(const DueMFunction& due, const Motion& motion,
 Verdict m_function_for_dwell(const ReferenceStep& due, const Record& got, std::size_t number) {
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
+  verdict.rule = RelationRule::event;
   verdict.clause = clause_of(due);
   verdict.block = block_of(due);
   verdict.record = number;
@@ -230,21 +263,23 @@ Number rounding(const Number& number, const std::optional<Number>& resolution,
 }
 
 // For a feed or a lead that differs: both values.
-std::string values_of(const Record& want, const Record& got) {
-  if (want.kind == RecordKind::thread) {
-    return reference::with_values(" It is {} mm in place of {}.", {got.lead, want.lead});
+std::string values_of(const Motion& want, const Record& got) {
+  if (want.record.kind == RecordKind::thread) {
+    return reference::with_values(" It is {} mm in place of {}.", {got.lead, want.record.lead});
   }
-  return feed_in_place_of(got, want.feed, want.feed_mode);
+  return feed_in_place_of(got, want);
 }
 
 // What it may come from.
-std::string unit_error_of(const Record& want, const Record& got, const Tolerances& tolerances) {
+std::string unit_error_of(const Motion& motion, const Record& got, const Tolerances& tolerances) {
+  const Record& want = motion.record;
   if (want.kind == RecordKind::thread) {
     return unit_error(Quantity::lead, want.lead, got.lead,
                       rounding(got.lead, tolerances.resolution, tolerances));
   }
   if (want.feed_mode != got.feed_mode) return {};
-  return unit_error(Quantity::feed, want.feed, got.feed,
+  return unit_error(turns_alone(want, motion.from) ? Quantity::rotary_feed : Quantity::feed,
+                    want.feed, got.feed,
                     rounding(got.feed, tolerances.feed_resolution, tolerances));
 }
 
@@ -281,7 +316,7 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
   const ReferenceStep& step = steps.at(from.step).what;
   if (std::holds_alternative<Motion>(step) && from.piece) {
     const ReferenceStep& behind = steps.at(from.step + from.joined + 1).what;
-    if (dwell_of(behind) != nullptr) return short_of(from.curve->motion(), *from.piece);
+    if (dwell_of(behind) != nullptr) return short_of(from, tolerances);
   }
   const Record* want = dwell_of(step);
   Verdict verdict;
@@ -345,11 +380,13 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Tol
     verdict.witness = place_text(shown.at);
     tell_distance(verdict, shown.distance, motion.to(), want.to(), tolerances.tolerance);
     if (ended_short(refutation, apart, steps, tolerances)) {
-      verdict = short_of(want, *from.piece);
+      verdict = short_of(from, tolerances);
     } else if (fits_later(motion, from.step + from.joined + 1, steps, tolerances)) {
       verdict.kind = VerdictKind::fail_order;
       verdict.rule = RelationRule::event;
       verdict.message = "A later motion comes here: one before it is missing, or comes after it.";
+    } else {
+      verdict.message += more_turns(refutation, tolerances);
     }
   } catch (const exact::Undecided&) {
   }
@@ -394,86 +431,12 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Toler
   if (answer.departure == Departure::feed) {
     verdict.kind = VerdictKind::fail_feed;
     verdict.word = 'F';
-    verdict.message += values_of(want.record, motion.record);
-    verdict.message += unit_error_of(want.record, motion.record, tolerances);
+    verdict.message += values_of(want, motion.record);
+    verdict.message += unit_error_of(want, motion.record, tolerances);
   } else {
     explain_path(refutation, steps, tolerances, verdict);
   }
   return verdict;
-}
-
-namespace {
-
-// Whether a point lies on the circle of a flat arc or an arc3; false where that takes more than
-// rationals.
-bool is_exactly_on(const Motion& round, const Position& point) {
-  const SpacePoint from = space_point(round.from);
-  const SpacePoint at = space_point(point);
-  if (!is_rational(from) || !is_rational(at)) return false;
-  if (round.record.kind == RecordKind::arc) {
-    const Axis d = reference::axes_of(round.record.plane).d;
-    const PlaneVector a = from_centre(round.record, round.from);
-    const PlaneVector b = from_centre(round.record, point);
-    if (!a.p.is_rational() || !a.q.is_rational() || round.to()[d] != round.from[d]) return false;
-    return point[d] == round.from[d] && norm_squared(a) == norm_squared(b);
-  }
-  const SpacePoint via = space_point(round.record.via);
-  const SpacePoint to = space_point(round.to());
-  if (!is_rational(via) || !is_rational(to)) return false;
-  const auto circle = circle_through(from, via, to);
-  if (!circle) return false;
-  const SpacePoint v = at - circle->centre;
-  return dot(v, circle->normal).sign() == 0 && dot(v, v) == circle->radius_2;
-}
-
-}  // namespace
-
-bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& tolerances) {
-  // Half a unit in the last place of a double is at most 2^-53 of its value.
-  if (tolerances.binary64) return agree(got, exact, abs(got) * Number::binary(1, -kUlpBits - 1));
-  return tolerances.resolution && agree(got, exact, *tolerances.resolution / 2);
-}
-
-Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& tolerances,
-               RoundingCensus* census) {
-  Grade grade;
-  // `exact_ones` takes a coordinate that is exact, `others` one that is not.
-  const auto compare = [&](const Number& got, const Number& exact, RoundingCensus* exact_ones,
-                           RoundingCensus* others) {
-    const Number difference = got - exact;
-    // An enclosure may be its exact value or not: not exact, for the grade.
-    const bool enclosed = difference.form() == Number::Form::enclosure;
-    if (!enclosed && difference.sign() == 0) {
-      if (exact_ones != nullptr) exact_ones->take_exact(1);
-      return;
-    }
-    grade.exact = false;
-    const bool is_correct = is_correctly_rounded(got, exact, tolerances);
-    grade.rounded = grade.rounded && is_correct;
-    if (others != nullptr) others->take(exact, got, is_correct);
-  };
-  for (Axis axis : kAllAxes) {
-    // What a subject moves by mistake is off, too; that it comes back from there says nothing.
-    RoundingCensus* const told = tells_end(want, axis) ? census : nullptr;
-    RoundingCensus* const moved = tells_end(motion, axis) ? census : told;
-    compare(motion.to()[axis], want.to()[axis], told, moved);
-  }
-  if (motion.record.kind == RecordKind::arc) {
-    const std::optional<Motion> arc =
-        want.record.kind == RecordKind::arc3 ? as_arc(want) : std::optional(want);
-    for (std::size_t i : {0U, 1U}) {
-      compare(motion.record.centre[i], arc->record.centre[i], census, census);
-    }
-  } else if (motion.record.kind == RecordKind::arc3 && !is_exactly_on(want, via_of(motion))) {
-    if (want.record.kind == RecordKind::arc3) {
-      for (Axis axis : reference::kLinearAxes) {
-        compare(motion.record.via[axis], want.record.via[axis], nullptr, nullptr);
-      }
-    } else {
-      grade.exact = grade.rounded = false;
-    }
-  }
-  return grade;
 }
 
 }  // namespace gonogo::oracle

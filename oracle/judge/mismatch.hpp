@@ -15,13 +15,13 @@ std::optional<Verdict> known_verdict(const Refutation& refutation, const Toleran
 // The verdict on a motion that departs from a curve. Looks ahead in the reference.
 Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances);
 
-// J-CMP-12. `piece` is the last of `want` that the subject has put out.
-Verdict short_of(const Motion& want, const Motion& piece);
+// J-CMP-12: of the motion that the subject has left unfinished. REQUIRES: a piece of it.
+Verdict short_of(const Hypothesis& from, const Tolerances& tolerances);
 // How far a rotary axis is off, behind the message.
 void tell_degrees(Verdict& verdict, Axis rotary, const Position& got, const Position& want);
 // The trace ends, or alarms (`got`), where a step is due.
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
-                   const std::string& got);
+                   const std::string& got, const Tolerances& tolerances);
 
 // A motion where none is due: before a renaming of the position; before a dwell, in an earlier
 // block than an alarm, or behind the end; before an M function.
@@ -46,17 +46,5 @@ Verdict not_covered_verdict(const reference::NotCovered& outside);
 // tolerance, and its end where it should be.
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
                                             const Motion& want, const Tolerances& tolerances);
-
-// J-CMP-09: of a motion that completes one of the reference's.
-struct Grade {
-  bool exact = true;    // end and centre are exact
-  bool rounded = true;  // ... or correctly rounded
-};
-// `census` takes the coordinates that `want` tells (tells_end), and those that are not exact where
-// `motion` alone moves; null: none does.
-Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& tolerances,
-               RoundingCensus* census = nullptr);
-// R3: whether a coordinate that is not exact is the correctly rounded one.
-bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& tolerances);
 
 }  // namespace gonogo::oracle

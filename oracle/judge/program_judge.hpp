@@ -84,7 +84,7 @@ class ProgramJudge {
   void go_on();
   void leave_step();
 
-  // The end of the subject, in program_end.cpp.
+  // The end of the subject, in program_end.cpp and program_alarm.cpp.
   struct Ending;
   Ending end_of(Hypothesis from, const RunEnd& end);
   void forget_behind(const Hypothesis& from, bool leaves_out_m_functions);

@@ -4,6 +4,7 @@
 // its own judge; the session asks it under every combination of readings.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "oracle/motion/tolerances.hpp"
@@ -19,6 +20,8 @@ inline constexpr std::string_view kSampledNote = "Sampled axis positions: ";
 struct SampledVerdict {
   Verdict verdict;
   std::size_t progress = 0;  // how many motions of the reference were followed
+  // The open readings under which it is said, where `expand` shows others: "k=v, k=v".
+  std::string told_under = {};
 };
 
 class SampledOutcome {

@@ -13,7 +13,8 @@ namespace gonogo::oracle {
 
 using exact::Number;
 
-enum class Quantity : std::uint8_t { feed, lead, dwell, time };  // time: of cuts
+// rotary_feed: of a rotary axis that moves alone; time: of cuts.
+enum class Quantity : std::uint8_t { feed, rotary_feed, lead, dwell, time };
 
 // A sentence with a blank before it where `got` is `want` times a factor between units, to
 // `tolerance` in got (below a hundredth of it); empty: it is not.

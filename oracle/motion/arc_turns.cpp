@@ -96,23 +96,61 @@ bool may_end_on_its_centre(const Motion& arc, const Number& rounding) {
   return is_near_centre(seen.from, within) || is_near_centre(seen.to, within);
 }
 
+namespace {
+
+// How an arc lies about its chord.
+struct Bow {
+  explicit Bow(const Motion& arc) {
+    const SeenEnds seen(arc);
+    side = cross(seen.from, seen.to) * (arc.record.rot < 0 ? -1 : 1);
+    is_half_at_most = std::abs(arc.record.rot) == 1 &&
+                      (visible_sign(side) > 0 ||
+                       (visible_sign(side) == 0 && visible_sign(dot(seen.from, seen.to)) < 0));
+    radius_2 = max(dot(seen.from, seen.from), dot(seen.to, seen.to));
+    const PlaneVector chord{seen.to.p - seen.from.p, seen.to.q - seen.from.q};
+    chord_2 = dot(chord, chord);
+  }
+  Number side;  // the chord's distance from the centre, times its length
+  bool is_half_at_most = false;
+  Number radius_2;  // of the larger radius
+  Number chord_2;
+};
+
 // No point is farther from the chord than the larger radius less the distance of the chord from the
 // centre: r <= d + tolerance.
-bool is_flat_arc(const Motion& arc, const Number& tolerance) {
-  const SeenEnds seen(arc);
-  const Number side = cross(seen.from, seen.to) * (arc.record.rot < 0 ? -1 : 1);
-  const bool is_half_at_most =
-      std::abs(arc.record.rot) == 1 &&
-      (visible_sign(side) > 0 ||
-       (visible_sign(side) == 0 && visible_sign(dot(seen.from, seen.to)) < 0));
-  if (!is_half_at_most) return false;
-  const PlaneVector chord{seen.to.p - seen.from.p, seen.to.q - seen.from.q};
-  const Number radius_2 = max(dot(seen.from, seen.from), dot(seen.to, seen.to));
-  const Number chord_2 = dot(chord, chord);
+bool is_shallow(const Bow& bow, const Number& tolerance) {
   const Number tau_2 = tolerance * tolerance;
   // r^2 <= d^2 + 2 d tau + tau^2 with d^2 = side^2 / chord^2, times the chord's square.
-  const Number rest = (radius_2 - tau_2) * chord_2 - side * side;
-  return rest.sign() <= 0 || rest * rest <= tau_2 * 4 * side * side * chord_2;
+  const Number rest = (bow.radius_2 - tau_2) * bow.chord_2 - bow.side * bow.side;
+  return rest.sign() <= 0 || rest * rest <= tau_2 * 4 * bow.side * bow.side * bow.chord_2;
+}
+
+}  // namespace
+
+// More than half a turn: none is farther than the larger radius and that distance, r + d <=
+// tolerance; of whole turns, and of one that leads on beside its plane, than the diameter.
+bool is_narrow_arc(const Motion& arc, const Number& tolerance) {
+  if (arc.record.rot == 0) return false;
+  const Bow bow(arc);
+  if (bow.is_half_at_most) return false;
+  const reference::PlaneAxes axes = reference::axes_of(arc.record.plane);
+  const bool rises = std::ranges::any_of(reference::kAllAxes, [&](Axis axis) {
+    const bool is_in_plane = axis == axes.p || axis == axes.q;
+    return !is_in_plane && visible_sign(arc.to()[axis] - arc.from[axis]) != 0;
+  });
+  if (!rises && visible_sign(bow.chord_2) == 0) return false;  // there is no chord
+  const Number tau_2 = tolerance * tolerance;
+  if (bow.radius_2 * 4 <= tau_2) return true;
+  if (rises || std::abs(arc.record.rot) > 1) return false;
+  // r^2 <= tau^2 - 2 d tau + d^2, times the chord's square.
+  const Number rest = (tau_2 - bow.radius_2) * bow.chord_2 + bow.side * bow.side;
+  return rest.sign() >= 0 && rest * rest >= tau_2 * 4 * bow.side * bow.side * bow.chord_2;
+}
+
+bool is_flat_arc(const Motion& arc, const Number& tolerance) {
+  if (arc.record.rot == 0) return false;
+  const Bow bow(arc);
+  return bow.is_half_at_most ? is_shallow(bow, tolerance) : is_narrow_arc(arc, tolerance);
 }
 
 bool agrees_with_chord(const Motion& motion, const Number& tolerance) {
@@ -146,6 +184,24 @@ Position middle_of_arc(const Motion& arc) {
   middle[axes.p] = arc.record.centre[0] + towards.p * scale;
   middle[axes.q] = arc.record.centre[1] + towards.q * scale;
   return middle;
+}
+
+std::vector<Position> farthest_of_flat(const Motion& arc, const Number& tolerance) {
+  if (!is_narrow_arc(arc, tolerance)) return {middle_of_arc(arc)};
+  const reference::PlaneAxes axes = reference::axes_of(arc.record.plane);
+  const SeenEnds seen(arc);
+  const Number radius = exact::sqrt(max(dot(seen.from, seen.from), dot(seen.to, seen.to)));
+  std::vector<Position> corners;
+  for (const Position& end : {arc.from, arc.to()}) {
+    for (const int p : {-1, 1}) {
+      for (const int q : {-1, 1}) {
+        corners.push_back(end);
+        corners.back()[axes.p] = arc.record.centre[0] + radius * p;
+        corners.back()[axes.q] = arc.record.centre[1] + radius * q;
+      }
+    }
+  }
+  return corners;
 }
 
 }  // namespace gonogo::oracle

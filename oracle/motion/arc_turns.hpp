@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "oracle/motion/motion.hpp"
 #include "oracle/motion/tolerances.hpp"
@@ -27,14 +28,17 @@ bool may_be_nil_or_whole(const Motion& arc, const Number& rounding);
 // Whether an end may be the centre and so shows no direction.
 bool may_end_on_its_centre(const Motion& arc, const Number& rounding);
 
-// Whether all points of an arc lie within the tolerance of its chord in its plane: it turns by half
-// a turn at most.
+// Whether all points of an arc lie within the tolerance of its chord in its plane.
 bool is_flat_arc(const Motion& arc, const Number& tolerance);
+// Whether it is such a one of more than half a turn: its circle is hardly wider than the tolerance.
+bool is_narrow_arc(const Motion& arc, const Number& tolerance);
 // R3: the same of an arc or a circle in space; rounded, the three points of one may lie in line.
 bool agrees_with_chord(const Motion& motion, const Number& tolerance);
 // The straight cut between its ends.
 Motion chord_of(const Motion& round);
 // The point half way along an arc of at most half a turn.
 Position middle_of_arc(const Motion& arc);
+// Of an arc that agrees with its chord: what is farthest from that, or corners about all of it.
+std::vector<Position> farthest_of_flat(const Motion& arc, const Number& tolerance);
 
 }  // namespace gonogo::oracle

@@ -95,7 +95,7 @@ CurveAnswer Curve::follow(const CurveProgress& from, const Motion& subject) cons
 CurveAnswer Curve::follow_any(const CurveProgress& from, const Motion& subject) const {
   const RecordKind want = reference_.record.kind;
   const RecordKind got = subject.record.kind;
-  if (got == RecordKind::feed && is_flat_arc3()) return follow_line(from, subject);
+  if (got == RecordKind::feed && comes_as_line()) return follow_line(from, subject);
   if (round_) return follow_round(from, subject);
   if (want == RecordKind::feed && is_round(got)) return follow_flat(from, subject);
   if (want != got) {
@@ -173,19 +173,25 @@ CurveAnswer Curve::follow_line(const CurveProgress& from, const Motion& subject)
   return CurveAnswer::goes(std::move(progress), agree(subject.to(), reference_.to(), tau));
 }
 
-// R3: whether the reference is an arc in space that agrees with its chord: rounded,
-// its three points may lie in line, and then it can be put out only as that.
-bool Curve::is_flat_arc3() const {
-  return reference_.record.kind == RecordKind::arc3 &&
-         agrees_with_chord(reference_, tolerances_.tolerance);
+// R3: whether the reference is an arc in space that agrees with its chord: rounded, its three
+// points may lie in line, and then it can be put out only as that. Or one of more than half a turn,
+// along which a line leads by no angle.
+bool Curve::comes_as_line() const {
+  const RecordKind kind = reference_.record.kind;
+  const Number& tau = tolerances_.tolerance;
+  if (kind == RecordKind::arc) return !open_ && is_narrow_arc(reference_, tau);
+  return kind == RecordKind::arc3 && agrees_with_chord(reference_, tau);
 }
 
 // R3. An arc that agrees with its chord.
 CurveAnswer Curve::follow_flat(const CurveProgress& from, const Motion& subject) const {
   const Number& tau = tolerances_.tolerance;
+  const auto is_on_line = [&](const Position& at) { return agrees_with_line(reference_, at, tau); };
   const bool is_arc = subject.record.kind == RecordKind::arc;
-  if (!agrees_with_chord(subject, tau) ||
-      !agrees_with_line(reference_, is_arc ? middle_of_arc(subject) : via_of(subject), tau)) {
+  const bool agrees = agrees_with_chord(subject, tau) &&
+                      (is_arc ? std::ranges::all_of(farthest_of_flat(subject, tau), is_on_line)
+                              : is_on_line(via_of(subject)));
+  if (!agrees) {
     return CurveAnswer::departs(Departure::kind,
                                 "The cut goes along an arc instead of a straight line.");
   }

@@ -89,7 +89,7 @@ class Curve {
   CurveAnswer follow_traverse(const CurveProgress& from, const Motion& subject) const;
   CurveAnswer follow_line(const CurveProgress& from, const Motion& subject) const;
   CurveAnswer follow_thread(const CurveProgress& from, const Motion& subject) const;
-  bool is_flat_arc3() const;
+  bool comes_as_line() const;
   CurveAnswer follow_flat(const CurveProgress& from, const Motion& subject) const;
   bool line_goes_beyond(const Motion& subject) const;
 

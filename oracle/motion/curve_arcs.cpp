@@ -146,15 +146,18 @@ CurveAnswer Curve::follow_arc(const CurveProgress& from, const Motion& subject) 
 }
 
 // J-PATH-06. Where rounding may have moved the end across the ray of the start: a turn more, or, of
-// a record of one turn that is the curve's, rounded, none. After whole turns a turn that the arc
-// does make is no nil one. Where an end may be the centre, the rest of the curve.
+// a record that is the curve's, rounded, one less, if it has one turn or as many as the arc's own.
+// After other turns one that the arc does make is no nil one. Where an end may be the centre, the
+// rest of the curve.
 CurveAnswer Curve::by_rounding(const CurveProgress& from, const Motion& subject,
                                double turns) const {
   CurveAnswer answer = CurveAnswer::departs(Departure::geometry, {});
   const Number rounding = rounding_of(subject, tolerances_);
   const double before = std::abs(subject.record.rot) - 1;
   const bool is_small = turns - before < 0.5;
-  if ((is_small || before == 0) && may_be_nil_or_whole(subject, rounding)) {
+  const bool is_own = from.arc == 0 && subject.record.rot == round_->arc()->record.rot;
+  const bool may_be_less = before == 0 || is_own;
+  if ((is_small || may_be_less) && may_be_nil_or_whole(subject, rounding)) {
     CurveAnswer other = as_turns(from, subject, is_small ? turns + 1 : turns - 1);
     const bool ends = !other.departs() && other.ways.front().done;
     if (is_small || (ends && is_rounded_curve(from, subject))) answer = std::move(other);

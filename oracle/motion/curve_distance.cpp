@@ -171,7 +171,7 @@ Number Curve::distance(const CurveProgress& from, const Position& point, double 
     return distance_from_box(from.traverse ? *from.traverse : reference_.from, reference_.to(),
                              point);
   }
-  if (!round_ || is_flat_arc3()) {
+  if (!round_ || comes_as_line()) {
     Position reached = reference_.from;
     const Axis axis = longest_axis(reference_);
     const Number travel = abs(reference_.to()[axis] - reference_.from[axis]);

@@ -28,6 +28,8 @@ class CurveFollower {
   // Tries the next motion of the subject; on a departure nothing is changed.
   MatchResult match(const Motion& subject);
   const Motion& motion() const { return curve_.motion(); }
+  // How far along a round curve it has come, in turns; an estimate.
+  double turns() const { return reached_.front().arc; }
 
  private:
   Curve curve_;

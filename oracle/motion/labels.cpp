@@ -68,4 +68,8 @@ bool times_agree(const Record& want, const Record& got, const Tolerances& tolera
   return stands_for(got.seconds, want.seconds, tolerances.resolution, tolerances);
 }
 
+bool may_be_no_dwell(const Record& dwell, const Tolerances& tolerances) {
+  return stands_for(Number(0), dwell.seconds, tolerances.resolution, tolerances);
+}
+
 }  // namespace gonogo::oracle

@@ -26,5 +26,7 @@ bool leads_agree(const Record& want, const Record& got, const Tolerances& tolera
 bool start_angles_agree(const Record& want, const Record& got, const Tolerances& tolerances);
 // Compares two dwells.
 bool times_agree(const Record& want, const Record& got, const Tolerances& tolerances);
+// R3: whether a dwell of no time, which is no event, stands for it when it is rounded.
+bool may_be_no_dwell(const Record& dwell, const Tolerances& tolerances);
 
 }  // namespace gonogo::oracle

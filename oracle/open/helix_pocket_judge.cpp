@@ -92,6 +92,7 @@ bool HelixPocketJudge::stays_at_centre(const Motion& motion) const {
 }
 
 Verdict HelixPocketJudge::incomplete(const Position& position) const {
+  if (phase_ == Phase::helix && last_) return helix_ended();
   return fault_of_step(VerdictKind::fail_geometry, clause(), item_.block, helix_text(item_),
                        position, "The pocket is not milled to its end.");
 }
@@ -108,6 +109,7 @@ OpenStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion
   } else {
     verdict = departure_from(VerdictKind::fail_geometry, clause(), motion, helix_text(item_),
                              result.reason);
+    if (result.departure == Departure::kind) verdict.rule = RelationRule::label;
     if (match_) {
       verdict.want = record_text(want_.record);
       set_deviation(verdict, largest_difference(motion.to(), want_.to()));
@@ -125,6 +127,12 @@ OpenStepAnswer HelixPocketJudge::take(const Motion& motion) {
   if (turns_rotary_axis(place_, motion.to(), tolerances_.tolerance)) {
     return departs({Departure::geometry, false, "A rotary axis moves in a pocket."}, motion);
   }
+  OpenStepAnswer answer = take_by_phase(motion);
+  if (answer.kind == OpenStepAnswer::Kind::taken) last_ = motion;
+  return answer;
+}
+
+OpenStepAnswer HelixPocketJudge::take_by_phase(const Motion& motion) {
   switch (phase_) {
     case Phase::entry:
       return take_entry(motion);
@@ -227,13 +235,36 @@ OpenStepAnswer HelixPocketJudge::take_helix(const Motion& motion) {
   const MatchResult result = open_.match(motion);
   if (result.done) return end_helix(motion);
   if (result.departure == Departure::none) return {};
+  const bool goes_down = is_cut(motion.record.kind) && motion.to()[axes_.d] < motion.from[axes_.d];
   const bool at_bottom = agree(motion.from[axes_.d], item_.bottom, tolerances_.tolerance);
-  if (!at_bottom || result.departure == Departure::undecided) return departs(result, motion);
-  Motion at = motion;
-  at.record.to = motion.from;
-  return departs(
-      {Departure::geometry, false, "The helix ends beside the place that its whole turns lead to."},
-      at);
+  if (result.departure == Departure::undecided || (goes_down && !at_bottom) || !last_) {
+    return departs(result, motion);
+  }
+  return OpenStepAnswer::decide(helix_ended());
+}
+
+// J-CMP-12: what follows shows that it has, with the last motion that was taken.
+Verdict HelixPocketJudge::helix_ended() const {
+  const bool at_bottom = agree(last_->to()[axes_.d], item_.bottom, tolerances_.tolerance);
+  Verdict verdict = open_.farthest().ended(
+      clause(), *last_, helix_text(item_),
+      at_bottom ? "The helix ends beside the place that its whole turns lead to."
+                : "The helix ends before the bottom of the pocket.",
+      tolerances_);
+  verdict.block = item_.block;
+  return verdict;
+}
+
+// J-CMP-12: of a circle or a semicircle at the bottom that has begun, where something comes that is
+// none of its pieces.
+std::optional<Verdict> HelixPocketJudge::ended_short(const Motion& next) const {
+  const bool is_piece =
+      is_cut(next.record.kind) && agree(next.to()[axes_.d], item_.bottom, tolerances_.tolerance);
+  if (is_piece || !is_begun_) return std::nullopt;
+  Verdict verdict = ended_elsewhere(clause(), *last_, want_.to(), record_text(want_.record),
+                                    "The cut ends before it is where it has to end.");
+  verdict.block = item_.block;
+  return verdict;
 }
 
 OpenStepAnswer HelixPocketJudge::end_helix(const Motion& motion) {
@@ -246,6 +277,7 @@ OpenStepAnswer HelixPocketJudge::end_helix(const Motion& motion) {
 
 void HelixPocketJudge::prepare_bottom(Phase phase) {
   phase_ = phase;
+  is_begun_ = false;
   Position from = helix_end_;
   from[axes_.d] = item_.bottom;
   Position to = from;
@@ -278,6 +310,7 @@ bool HelixPocketJudge::is_remainder(const Motion& motion) const {
 OpenStepAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
   const MatchResult result = match_->match(motion);
   if (result.departure == Departure::none) {
+    is_begun_ = true;
     if (!result.done) return {};
     if (phase_ == Phase::flat) {
       prepare_bottom(Phase::exit);
@@ -293,7 +326,11 @@ OpenStepAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
       return OpenStepAnswer::end(motion.from);
     }
   }
-  return is_remainder(motion) ? OpenStepAnswer{} : departs(result, motion);
+  if (is_remainder(motion)) return {};
+  if (result.departure != Departure::undecided) {
+    if (auto verdict = ended_short(motion)) return OpenStepAnswer::decide(*std::move(verdict));
+  }
+  return departs(result, motion);
 }
 
 }  // namespace gonogo::oracle

@@ -25,6 +25,7 @@ class HelixPocketJudge : public OpenStep {
   std::optional<Verdict> end(const Position& here) override;
   Exit exit(const Position& here) const override;
   bool is_before(const Motion& motion) const override;
+  bool is_path_known() const override { return true; }
 
  private:
   bool complete() const;
@@ -37,6 +38,9 @@ class HelixPocketJudge : public OpenStep {
   OpenStepAnswer wrong_entry(const Motion& motion) const;
   OpenStepAnswer take_helix(const Motion& motion);
   OpenStepAnswer end_helix(const Motion& motion);
+  Verdict helix_ended() const;
+  std::optional<Verdict> ended_short(const Motion& next) const;
+  OpenStepAnswer take_by_phase(const Motion& motion);
   OpenStepAnswer take_at_bottom(const Motion& motion);
   bool is_remainder(const Motion& motion) const;
   // The motions so far as a semicircle that ends where the last of them does.
@@ -57,8 +61,10 @@ class HelixPocketJudge : public OpenStep {
   std::optional<std::pair<MatchResult, Motion>> entry_fault_;
   OpenHelices open_;            // one for each motion that may have ended the entry
   std::list<OpenHelix> helix_;  // the one that is complete
+  std::optional<Motion> last_;  // that was taken
   Position helix_end_;
   Motion want_;  // at the bottom
+  bool is_begun_ = false;
   std::optional<CurveFollower> match_;
 };
 

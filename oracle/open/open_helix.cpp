@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/open/open_helix.hpp"
 
+#include "oracle/motion/approximate.hpp"
+#include "oracle/open/open_step.hpp"
+
 namespace gonogo::oracle {
 namespace {
 
@@ -39,7 +42,8 @@ PlaneVector HelixShape::from_axis(const Position& at) const {
 
 OpenHelix::OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at,
                      const Tolerances& tolerances)
-    : origin_{shape.centre[0], shape.centre[1]},
+    : turns_(shape.turns),
+      origin_{shape.centre[0], shape.centre[1]},
       starts_(std::move(starts)),
       want_(wanted(shape, at, tolerances)),
       to_end_(shape.to_end),
@@ -54,6 +58,19 @@ MatchResult OpenHelix::match(const Motion& motion) {
   return result;
 }
 
+Verdict OpenHelix::ended(reference::ClauseId clause, const Motion& last, std::string want,
+                         std::string message, const Tolerances& tolerances) const {
+  Verdict verdict = ended_elsewhere(clause, last, want_.to(), std::move(want), std::move(message));
+  verdict.rule = RelationRule::place;
+  try {
+    if (agree(last.to(), want_.to(), tolerances.tolerance)) {
+      verdict.message += turns_that_came(turns_, approximate(turns_) - match_.turns());
+    }
+  } catch (const exact::Undecided&) {
+  }
+  return verdict;
+}
+
 MatchResult OpenHelices::match(const Motion& motion) {
   MatchResult last;
   for (auto each = open_.begin(); each != open_.end();) {
@@ -61,7 +78,8 @@ MatchResult OpenHelices::match(const Motion& motion) {
     const auto here = each++;
     if (result.done && done_.empty()) done_.splice(done_.end(), open_, here);
     if (result.departure == Departure::none) continue;
-    open_.erase(here);
+    dropped_.clear();
+    dropped_.splice(dropped_.end(), open_, here);
     if (result.departure == Departure::undecided) undecided_ = result;
     last = std::move(result);
   }

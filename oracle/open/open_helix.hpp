@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "oracle/motion/curve_follower.hpp"
+#include "oracle/records/verdict.hpp"
 #include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
@@ -42,8 +43,12 @@ class OpenHelix {
   const OpenStart& starts() const { return starts_; }
   OpenStart& starts() { return starts_; }
   const Motion& want() const { return want_; }
+  // It has ended with `last`, as what follows shows: in another place or after fewer turns.
+  Verdict ended(reference::ClauseId clause, const Motion& last, std::string want,
+                std::string message, const Tolerances& tolerances) const;
 
  private:
+  Number turns_;
   PlaneVector origin_;
   OpenStart starts_;
   Motion want_;
@@ -61,12 +66,15 @@ class OpenHelices {
   [[nodiscard]] bool add(const HelixShape& shape, OpenStart starts, const Position& at,
                          const Tolerances& tolerances);
   bool empty() const { return open_.empty(); }
+  // The one that was followed farthest. REQUIRES: there was one.
+  const OpenHelix& farthest() const { return open_.empty() ? dropped_.front() : open_.front(); }
   // The complete one.
   std::list<OpenHelix> take_done() { return std::move(done_); }
 
  private:
   std::list<OpenHelix> open_;
   std::list<OpenHelix> done_;
+  std::list<OpenHelix> dropped_;          // the last one
   std::optional<MatchResult> undecided_;  // of one that was dropped
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "oracle/steps/step_text.hpp"
 #include "reference/compared.hpp"
@@ -40,14 +41,45 @@ Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motio
   return verdict;
 }
 
+Verdict ended_elsewhere(reference::ClauseId clause, const Motion& last, const Position& due,
+                        std::string want, std::string message) {
+  Verdict verdict =
+      departure_from(VerdictKind::fail_geometry, clause, last, std::move(want), std::move(message));
+  verdict.record = last.number + last.behind_first;
+  try {
+    set_deviation(verdict, largest_difference(last.to(), due));
+  } catch (const exact::Undecided&) {
+  }
+  return verdict;
+}
+
+std::string turns_that_came(const Number& due, double missing) {
+  const double whole = std::round(missing);
+  if (whole < 1) return {};
+  return reference::with_values(" It makes {} of {} turns.",
+                                {due - Number(static_cast<std::int64_t>(whole)), due});
+}
+
+namespace {
+
+std::string feed_in_place_of(const reference::Record& got, const Number& feed,
+                             reference::FeedMode mode, bool in_degrees) {
+  return reference::with_values(fmt::format(" It is {{}} {} in place of {{}} {}.",
+                                            reference::feed_unit(got.feed_mode, in_degrees),
+                                            reference::feed_unit(mode, in_degrees)),
+                                {got.feed, feed});
+}
+
+}  // namespace
+
 std::string feed_in_place_of(const reference::Record& got, const Number& feed,
                              reference::FeedMode mode) {
-  const auto unit = [](reference::FeedMode one) {
-    return one == reference::FeedMode::per_revolution ? "mm/rev" : "mm/min";
-  };
-  return reference::with_values(
-      fmt::format(" It is {{}} {} in place of {{}} {}.", unit(got.feed_mode), unit(mode)),
-      {got.feed, feed});
+  return feed_in_place_of(got, feed, mode, false);
+}
+
+std::string feed_in_place_of(const reference::Record& got, const Motion& want) {
+  return feed_in_place_of(got, want.record.feed, want.record.feed_mode,
+                          turns_alone(want.record, want.from));
 }
 
 Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,

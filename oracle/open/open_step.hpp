@@ -66,6 +66,8 @@ class OpenStep {
   // end; at an alarm, where there is something to judge.
   virtual bool is_judged_when_left() const { return false; }
   virtual bool is_judged_at_alarm(const Position& /*here*/) const { return false; }
+  // Whether nothing of the path is open but where it begins: then R1 to R5 decide it, and not R8.
+  virtual bool is_path_known() const { return false; }
 };
 
 // What holds for a whole program.
@@ -93,6 +95,8 @@ Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motio
 // " It is 250 mm/min in place of 200 mm/min.", behind a sentence that says what differs.
 std::string feed_in_place_of(const reference::Record& got, const Number& feed,
                              reference::FeedMode mode);
+// The same of a motion that may turn a rotary axis alone: in degrees/min.
+std::string feed_in_place_of(const reference::Record& got, const Motion& want);
 
 // One of what was put out so far: it shows at a place.
 Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
@@ -101,6 +105,15 @@ Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_
 // the cuts.
 void add_finding(Verdict& verdict, const region::Finding& finding,
                  std::span<const region::LevelMotion> cuts, std::span<const Record> records);
+
+// A NO-GO of a motion that has ended elsewhere than at `due`, as what follows shows: its last
+// record is named. The deviation is told where it is known.
+Verdict ended_elsewhere(reference::ClauseId clause, const Motion& last, const Position& due,
+                        std::string want, std::string message);
+
+// " It makes 2 of 3 turns.", behind a sentence that says what ends too early: `missing` is an
+// estimate. Empty where no whole turn is missing.
+std::string turns_that_came(const Number& due, double missing);
 
 // How far apart two numbers are, as the evidence of a verdict.
 void set_deviation(Verdict& verdict, const Number& deviation);

@@ -286,8 +286,8 @@ OpenStepAnswer PocketMillingJudge::collect(const Motion& motion) {
 OpenStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
   const Number& to = motion.to()[axes_.d];
   const bool is_last = is_point() && is_floor(to) && !floor_done_;
-  const bool cuts =
-      is_last || to < min(cleared_.everywhere, cleared_.rough) - tolerances_.tolerance;
+  const Number lowest = min(cleared_.everywhere, cleared_.rough);
+  const bool cuts = is_last || (to < lowest - tolerances_.tolerance && !is_near_cleared(to));
   arrival_ = motion;
   if (!cuts) {
     const OpenStepAnswer travel = take_travel(motion);
@@ -309,7 +309,10 @@ OpenStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
 OpenStepAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
   const reference::ClauseId clause = item_.finishing ? "SIE-LC75-11"_clause : "SIE-LC75-04"_clause;
   if (motion.record.kind == RecordKind::rapid) {
-    return departs(VerdictKind::fail_region, clause, motion, "The tool traverses into the part.");
+    const bool in_air = motion.to()[axes_.d] >= item_.reference_plane - tolerances_.tolerance;
+    return departs(VerdictKind::fail_region, clause, motion,
+                   in_air ? "The tool traverses where the infeed is due."
+                          : "The tool traverses into the part.");
   }
   const Position& off = above_centre(motion.to()) ? motion.from : motion.to();
   if (motion.record.kind != RecordKind::feed || !above_centre(off)) {

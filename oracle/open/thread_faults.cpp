@@ -26,12 +26,10 @@ std::string ThreadJudge::want_text() const {
 }
 
 Verdict ThreadJudge::incomplete(const Position& position) const {
+  if (phase_ == Phase::helix) return helix_ended();
   Verdict verdict = fault_of_step(VerdictKind::fail_geometry, "GSK-G114-06"_clause, item_.block,
                                   want_text(), position, {});
   switch (phase_) {
-    case Phase::helix:
-      verdict.message = "The helix ends before the bottom of the thread.";
-      break;
     case Phase::run_out:
     case Phase::way_back:
       verdict.message = "The tool does not return to the R plane after a pass.";
@@ -42,11 +40,23 @@ Verdict ThreadJudge::incomplete(const Position& position) const {
         break;
       }
       [[fallthrough]];
-    case Phase::entry:
+    default:
       verdict.clause = "GSK-G114-04"_clause;
       verdict.message = "A pass of the thread is missing.";
       break;
   }
+  return verdict;
+}
+
+// J-CMP-12: what follows shows that it has, with the last motion that was taken.
+Verdict ThreadJudge::helix_ended() const {
+  const bool at_bottom = agree(last_->to()[axes_.d], item_.bottom, tolerances_.tolerance);
+  Verdict verdict =
+      open_->farthest().ended("GSK-G114-06"_clause, *last_, want_text(),
+                              at_bottom ? "The helix ends beside the place that its turns lead to."
+                                        : "The helix ends before the bottom of the thread.",
+                              tolerances_);
+  verdict.block = item_.block;
   return verdict;
 }
 
@@ -91,14 +101,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   const bool on_the_way = phase_ == Phase::helix;
   if (!on_the_way && entry_fault_) return fault(kGeometry, clause, motion, *entry_fault_);
   const bool goes_on = is_cut(record.kind) && height(motion.to()) < height(motion.from);
-  if (on_the_way && !goes_on) {
-    Motion at = motion;
-    at.record.to = motion.from;
-    const bool at_bottom = agree(motion.from[axes_.d], item_.bottom, tolerances_.tolerance);
-    return fault(kGeometry, clause, at,
-                 at_bottom ? "The helix ends beside the place that its turns lead to."
-                           : "The helix ends before the bottom of the thread.");
-  }
+  if (on_the_way && !goes_on) return OpenStepAnswer::decide(helix_ended());
   if (record.kind == RecordKind::rapid) {
     return fault(kGeometry, "GSK-G114-10"_clause, motion,
                  "A traverse goes below the R plane before the helix.");

@@ -14,6 +14,10 @@ Number near_rational(const Number& value) {
 
 }  // namespace
 
+Number run_out_degrees(const reference::ThreadMilling& item) {
+  return item.runout_angle - (item.runout_angle / 360).floor() * 360;
+}
+
 PlaneVector near_rational(const PlaneVector& v) {
   return {near_rational(v.p), near_rational(v.q)};
 }

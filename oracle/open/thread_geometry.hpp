@@ -73,6 +73,9 @@ class ThreadGeometry {
   int up_;  // sign of d from the bottom to the R plane
 };
 
+// K within a turn: the reading gsk.thread.k-range = table has more.
+Number run_out_degrees(const reference::ThreadMilling& item);
+
 // The value, or a rational within 2^-80 of it: whether two points are one, or an arc is round, is
 // not to be decided for values that are only enclosed.
 PlaneVector near_rational(const PlaneVector& v);

@@ -99,6 +99,7 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
                      feed_in_place_of(motion.record, item_.feed, item_.feed_mode));
   }
   position_ = motion.to();
+  if (!waits_) last_ = motion;
   // J-THR-01: steps are bounded by the thread's geometry, not by the number of pieces.
   if (!waits_) answer.cost = OpenStepAnswer::Cost::free;
   return answer;
@@ -197,7 +198,7 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
     highest_ = height(motion.to());
     run_out_.emplace(geometry_, pass_, helix_.front(), to_end_, motion.to(),
                      allowed_run_outs(run_outs_), allowed_run_outs({}));
-    if (is_named() && !item_.external) run_out_->turn_with_helix();
+    if (is_named() && !item_.external && !run_out_->is_unfit()) run_out_->turn_with_helix();
     phase_ = Phase::run_out;
   }
   return result;

@@ -79,6 +79,7 @@ class ThreadJudge : public OpenStep {
   OpenStepAnswer touching(const Clearance& clearance, reference::ClauseId clause,
                           const Motion& motion, std::string message) const;
   OpenStepAnswer no_helix(const Motion& motion, const MatchResult& result) const;
+  Verdict helix_ended() const;
   OpenStepAnswer wrong_radius(const Motion& motion) const;
   OpenStepAnswer wrong_way_down(const Motion& motion) const;
   OpenStepAnswer no_run_out(const Motion& motion) const;
@@ -109,8 +110,9 @@ class ThreadJudge : public OpenStep {
 
   Phase phase_ = Phase::entry;
   Number pass_ = 1;
-  Position start_;     // where the reference stood before the passes
-  Position position_;  // where the tool stands
+  Position start_;              // where the reference stood before the passes
+  Position position_;           // where the tool stands
+  std::optional<Motion> last_;  // that was taken, and did not wait
   bool waits_ = false;
   Step step_ = Step::over;
 

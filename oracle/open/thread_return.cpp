@@ -35,10 +35,6 @@ OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
   if (!same_place || falls || motion.record.kind == RecordKind::arc) return wrong_way_back(motion);
   const Clearance clear = geometry_.clearance(motion, radius_kept());
   if (clear.kind != Clearance::Kind::clear) {
-    if (item_.runout_length.sign() != 0 && run_out_->must_end_in_material()) {
-      return OpenStepAnswer::gap(GapReason::reading_unfit,
-                                 "The run-out of the reading ends in the material.");
-    }
     return touching(clear, "GSK-G114-10"_clause, motion,
                     "The way back to the R plane goes through the part.");
   }

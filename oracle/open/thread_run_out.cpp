@@ -40,8 +40,9 @@ Similarity run_out_map(const reference::ThreadMilling& item, const Number& radiu
 // end, or beyond half a turn to the point across from where it begins.
 Number farthest_of_polar(const reference::ThreadMilling& item, const Number& radius) {
   const Number end = radius + item.runout_length;
-  if (item.runout_angle <= 180) return end;
-  const Number cosine = turn_by(item.runout_angle).a;
+  const Number k = run_out_degrees(item);
+  if (k <= 180) return end;
+  const Number cosine = turn_by(k).a;
   const Number a = end * cosine - radius;
   if (a.sign() == 0) return end;
   const Number w = (radius * radius + end * end - radius * end * cosine * 2) / (a * 2);
@@ -209,28 +210,26 @@ Number ThreadRunOutJudge::distance_from_end(const Position& here) const {
   return least.value_or(0);
 }
 
-bool ThreadRunOutJudge::follows(ThreadRunOut run_out, const Motion& flat) const {
-  const MatchResult result = CurveFollower(line_to(run_out), geometry_.loose_terms()).match(flat);
-  return result.departure == Departure::none || result.departure == Departure::feed;
-}
-
-bool ThreadRunOutJudge::must_cut_deeper(const Motion& flat) const {
-  return std::ranges::any_of(kRunOuts, [&](ThreadRunOut each) {
-    if (!left_.has(each)) return false;
-    if (each == ThreadRunOut::polar) {
-      return !geometry_.item().external && geometry_.item().runout_length > radius_ * 2;
-    }
-    // Nobody can tell where something leads that hardly moves.
-    const Number least = geometry_.loose_terms().tolerance * 2;
-    return !agree(flat.from, flat.to(), least) && follows(each, flat) &&
-           geometry_.clearance(line_to(each), radius_).kind != Clearance::Kind::clear;
-  });
-}
-
-bool ThreadRunOutJudge::must_end_in_material() const {
-  return !left_.empty() && std::ranges::none_of(kRunOuts, [&](ThreadRunOut each) {
-    return left_.has(each) && geometry_.is_free(end_of(each), geometry_.item().start_radius);
-  });
+bool ThreadRunOutJudge::is_unfit() const {
+  const reference::ThreadMilling& item = geometry_.item();
+  const bool is_straight =
+      item.runout == ThreadRunOut::radial || item.runout == ThreadRunOut::tangent;
+  const ThreadRunOut run_out = is_straight ? item.runout : ThreadRunOut::polar;
+  // Wherever on its circle the helix ends.
+  const auto at = [&](const PlaneVector& v) {
+    Position place = from_;
+    place[geometry_.axes().p] = item.centre[0] + v.p;
+    place[geometry_.axes().q] = item.centre[1] + v.q;
+    return place;
+  };
+  Motion line;
+  line.record.kind = RecordKind::feed;
+  line.record.to = at(apply(run_out_map(item, radius_, {1, 0}, run_out), {radius_, 0}));
+  // The arc of the polar one keeps off the pass where its end does.
+  line.from = is_straight ? at({radius_, 0}) : line.to();
+  const bool keeps_off = item.runout_length >= abs(item.start_radius - radius_);
+  return geometry_.clearance(line, radius_).kind != Clearance::Kind::clear ||
+         (keeps_off && !geometry_.is_free(line.to(), item.start_radius));
 }
 
 }  // namespace gonogo::oracle

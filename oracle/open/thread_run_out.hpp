@@ -68,17 +68,15 @@ class ThreadRunOutJudge {
   double swept() const { return swept_.estimate(); }
   // How far along an axis a point is from the nearest of their ends.
   Number distance_from_end(const Position& here) const;
-  // J-THR-05: whether the run-out that the cut follows cuts deeper than the pass by itself; whether
-  // all that may have been made end in the material by themselves.
-  bool must_cut_deeper(const Motion& flat) const;
-  bool must_end_in_material() const;
+  // J-THR-05: whether the run-out of the reading leads into the material by itself. The polar one
+  // decides where it is open: where that does, the straight ones do.
+  bool is_unfit() const;
 
  private:
   bool take_polar(const Motion& flat);
   bool take_arc(const Motion& arc);
   bool take_line(ThreadRunOut run_out, const Motion& flat);
   bool leaves_region(const Motion& flat) const;
-  bool follows(ThreadRunOut run_out, const Motion& flat) const;
   bool ends_at(ThreadRunOut run_out, const Position& here) const;
   bool surely_ends_at(ThreadRunOut run_out, const Position& here) const;
   Similarity map_of(ThreadRunOut run_out) const;  // from the start of the helix to the end

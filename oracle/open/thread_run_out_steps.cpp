@@ -44,8 +44,7 @@ bool ThreadJudge::is_chord_clear(const Motion& flat) const {
 // the part. The groove rises by the lead a turn, and so by its part of that over K degrees, either
 // way round.
 Clearance ThreadJudge::clearance_where_risen(const Motion& motion, const Motion& flat) const {
-  // The reading gsk.thread.k-range = table has K beyond a turn.
-  const Number k = item_.runout_angle - (item_.runout_angle / 360).floor() * 360;
+  const Number k = run_out_degrees(item_);
   const Number allowed = item_.lead * min(k, Number(360) - k) / 360 + tolerances_.tolerance;
   const Number from = geometry_.height_over_bottom(motion.from);
   const Number to = geometry_.height_over_bottom(motion.to());
@@ -94,18 +93,20 @@ OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
                     "The run-out rises out of its groove while it is still in the material.");
   }
   const Clearance clear = geometry_.clearance(flat, radius());
-  if (clear.kind != Clearance::Kind::clear) {
-    if (clear.kind == Clearance::Kind::touches && run_out_->must_cut_deeper(flat)) {
-      return OpenStepAnswer::gap(GapReason::reading_unfit,
-                                 "The run-out of the reading cuts deeper than its pass itself.");
-    }
+  const bool is_unfit = run_out_->is_unfit();
+  if (clear.kind != Clearance::Kind::clear && !is_unfit) {
     // J-THR-01
-    if (is_chord_clear(flat) && run_out_->take_chord(flat)) return {};
-    return touching(clear, "GSK-G114-10"_clause, motion, "The run-out cuts deeper than its pass.");
+    if (!is_chord_clear(flat) || !run_out_->take_chord(flat)) {
+      return touching(clear, "GSK-G114-10"_clause, motion,
+                      "The run-out cuts deeper than its pass.");
+    }
+  } else if (!run_out_->take(flat)) {
+    return no_run_out(motion);
   }
   highest_ = max(highest_, height(motion.to()));
-  if (run_out_->take(flat)) return {};
-  return no_run_out(motion);
+  if (!is_unfit || run_out_->ending_at(flat.to()).empty()) return {};
+  return OpenStepAnswer::gap(GapReason::reading_unfit,
+                             "The run-out of the reading leads into the material by itself.");
 }
 
 std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
@@ -115,16 +116,18 @@ std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
     if (item_.runout == ThreadRunOut::open) run_outs_ = ending;
     return std::nullopt;
   }
-  Motion at = motion;
-  at.record.to = motion.from;
+  // J-CMP-12: what has begun ended elsewhere; else what comes in its place departs.
+  const bool has_begun = run_out_->has_begun();
   std::string message = "The run-out ends at another point.";
-  if (!run_out_->has_begun()) {
+  if (!has_begun) {
     message = "The run-out is missing.";
   } else if (run_out_->is_end_of_another(motion.from)) {
     message = kAnotherRunOut;
   }
-  OpenStepAnswer answer =
-      fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, at, std::move(message));
+  OpenStepAnswer answer = fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause,
+                                has_begun ? *last_ : motion, std::move(message));
+  if (has_begun) answer.verdict.record = last_->number + last_->behind_first;
+  answer.verdict.witness = point_text(motion.from, {Axis::x, Axis::y, Axis::z});
   set_deviation(answer.verdict, run_out_->distance_from_end(motion.from));
   return std::move(answer.verdict);
 }

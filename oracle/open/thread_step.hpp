@@ -23,6 +23,7 @@ class ThreadStep : public OpenStep {
   OpenStepAnswer take(const Motion& motion) override;
   std::optional<Verdict> end(const Position& here) override;
   Exit exit(const Position& here) const override { return ways_.front().judge->exit(here); }
+  bool is_path_known() const override { return item_.arc_path; }
 
  private:
   struct Way {

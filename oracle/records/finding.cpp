@@ -142,9 +142,8 @@ std::string Cause::text() const {
   return fmt::format("Behaves as if: {}.{}{}", name, evidence.empty() ? "" : " ", evidence);
 }
 
-std::string Finding::text() const {
-  std::string out(name(shown.kind));
-  if (!shown.clause.empty()) out += " at " + shown.clause;
+std::string Finding::place() const {
+  std::string out = shown.clause.empty() ? std::string() : " at " + shown.clause;
   const bool is_told = is_told_by_message(shown.kind);
   const bool is_one = is_told && messages.size() == 1 && !messages.begin()->empty();
   const std::string said = is_one ? excerpt(*messages.begin(), kLongestHeading) : shown.what;
@@ -161,6 +160,15 @@ std::string Finding::text() const {
                       : fmt::format("{} ({} for {})", out, got, want);
 }
 
+std::string Finding::text() const {
+  if (kinds.empty()) return std::string(name(shown.kind)) + place();
+  std::string names;
+  for (const auto& [kind, its] : kinds) {
+    names += fmt::format("{}{}", names.empty() ? "" : " and ", name(kind));
+  }
+  return names + place();
+}
+
 std::string Finding::cycle() const {
   const auto most =
       std::ranges::max_element(by_cycle, {}, [](const auto& one) { return one.second; });
@@ -168,7 +176,11 @@ std::string Finding::cycle() const {
 }
 
 std::string Finding::line() const {
-  std::string out = fmt::format("{} x {}, smallest: {}", grouped(cases), text(), smallest.id);
+  std::string counts;
+  for (const auto& [kind, its] : kinds) {
+    counts += fmt::format("{}{} x {}", counts.empty() ? "" : ", ", grouped(its), name(kind));
+  }
+  std::string out = fmt::format("{}{}, smallest: {}", counts, place(), smallest.id);
   if (smallest.blocks == 0) return out;
   return out + fmt::format(", {} {}", grouped(smallest.blocks),
                            smallest.blocks == 1 ? "block" : "blocks");
@@ -193,7 +205,8 @@ const Finding* Findings::add(const CaseHead& line, VerdictKind kind) {
     const auto cause = causes_.find(place->first);
     if (cause != causes_.end()) finding.cause = cause->second;
   }
-  finding.shown.kind = std::min(finding.shown.kind, shown.kind);
+  ++finding.kinds[kind];
+  finding.shown.kind = finding.kinds.begin()->first;
   if (finding.shown.clause != shown.clause) finding.shown.clause.clear();
   if (finding.shown.what != shown.what) finding.shown.what = finding.key.what;
   ++finding.cases;

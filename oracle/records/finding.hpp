@@ -65,6 +65,8 @@ struct Finding {
   };
   Key key;
   Key shown;  // for people: of the cases themselves, as far as they have the same
+  // The cases' own verdicts with their numbers: two where a class of alarm is not due.
+  std::map<VerdictKind, std::size_t> kinds;
   std::size_t number = 0;  // from 1, in the order in which they were met
   std::size_t cases = 0;
   Example smallest;
@@ -75,10 +77,15 @@ struct Finding {
 
   // That most cases are of.
   std::string cycle() const;
-  // "fail.geometry at GSK-G94-02 (rapid)"
+  // "fail.geometry at GSK-G94-02 (rapid)"; two kinds with "and" between them
   std::string text() const;
-  // "87 x fail.geometry at GSK-G94-02 (rapid), smallest: gsk.g94.000013, 2 blocks"
+  // "87 x fail.geometry at GSK-G94-02 (rapid), smallest: gsk.g94.000013, 2 blocks"; each kind
+  // with the number of its cases
   std::string line() const;
+
+ private:
+  // " at GSK-G94-02 (rapid)"
+  std::string place() const;
 };
 
 class Findings {

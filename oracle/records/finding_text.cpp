@@ -18,11 +18,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Whether it is a number that is no text, and no point: {"root":["0","1","2"]}.
+bool is_written_apart(const Json& value) {
+  return value.is_object() && (value.contains("root") || value.contains("enclosure"));
+}
+
 // Numbers are texts, except those of three kinds (docs/formats.md); what is no decimal is printed
 // to nine places.
 std::string plain(const Json& value) {
   const bool is_number =
-      value.is_object() ||
+      is_written_apart(value) ||
       (value.is_string() && value.get<std::string>().find('/') != std::string::npos);
   if (const auto number = is_number ? number_of(value) : std::nullopt) {
     return millimetres_text(*number) + "...";
@@ -64,8 +69,8 @@ std::string further_word(const std::string& key, const Json& value) {
   if (key == "f" || key == "m") return (key == "f" ? " F" : " M") + plain(value);
   std::string words = key;
   std::ranges::replace(words, '_', ' ');
-  return value.is_object() ? " " + words + words_of(value)
-                           : fmt::format(" {} {}", words, plain(value));
+  const bool is_point = value.is_object() && !is_written_apart(value);
+  return is_point ? " " + words + words_of(value) : fmt::format(" {} {}", words, plain(value));
 }
 
 // What people call the step: those that leave the path to the control have names of formats.

@@ -41,15 +41,19 @@ void add_grants(const Json& header, std::vector<std::string>& granted) {
     const char* what;
     const char* unit;
   };
-  constexpr std::array<Grant, 4> kGrants = {{{"tolerance", "tolerance", " mm"},
+  constexpr std::array<Grant, 5> kGrants = {{{"tolerance", "tolerance", " mm"},
                                              {"chord", "chord", " mm"},
                                              {"feed_resolution", "feed resolution", ""},
-                                             {"blend", "blend", " mm"}}};
+                                             {"blend", "blend", " mm"},
+                                             {"feed_tolerance", "feed tolerance", " %"}}};
   for (const Grant& grant : kGrants) {
     const std::string number = text_in(header, grant.key);
     if (!number.empty()) granted.push_back(fmt::format("{} {}{}", grant.what, number, grant.unit));
   }
   if (!text_in(header, "known_failures").empty()) granted.emplace_back("known failures");
+  if (!text_in(header, "alarm_map").empty()) granted.emplace_back("alarm map");
+  // A subject that knows the names can look answers up (docs/evidence.md).
+  if (header.value("show_ids", Json(false)) == true) granted.emplace_back("names of cases");
   if (!header.value("profile", Json::object()).empty() || header.contains("machine")) {
     granted.emplace_back("a profile of the certifier's");
   }

@@ -61,6 +61,22 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
   return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
 }
 
+std::string stale_text(const std::vector<std::string>& stale) {
+  const auto alarms = static_cast<std::size_t>(std::ranges::count_if(
+      stale, [](const std::string& entry) { return entry.starts_with(kStaleAlarm); }));
+  const std::size_t failures = stale.size() - alarms;
+  std::string text;
+  if (failures > 0) {
+    text = counted(failures, "known failure is stale", "known failures are stale");
+  }
+  if (alarms > 0) {
+    text += text.empty() ? "" : ", ";
+    text +=
+        counted(alarms, "entry of the alarm map is stale", "entries of the alarm map are stale");
+  }
+  return text;
+}
+
 bool NaturalOrder::operator()(std::string_view a, std::string_view b) const {
   const std::string_view digits = "0123456789";
   const std::size_t own = a.find_first_of(digits);
@@ -272,13 +288,15 @@ std::string RunScope::skips(std::size_t most) const {
 }
 
 // J-RUN-01.
-std::string RunScope::head(std::string_view decision, std::size_t most) const {
+std::string RunScope::head(std::string_view decision, std::size_t most,
+                           const Entries& stale) const {
   const std::string go = go_features(most, Fold::first);
   std::string text(decision);
   if (decision == kNoGo) {
     text += ": ";
     if (const std::string failing = failing_features(most); !failing.empty())
       text += failing + "; ";
+    if (!stale.empty()) text += stale_text(stale) + "; ";
     if (!go.empty()) text += "GO: " + go + "; ";
   } else {
     text += (go.empty() ? "" : " for " + go) + ": ";
@@ -286,7 +304,7 @@ std::string RunScope::head(std::string_view decision, std::size_t most) const {
   return text + counts() + skips(most) + hardly_judged();
 }
 
-std::string RunScope::short_head(std::string_view decision) const {
+std::string RunScope::short_head(std::string_view decision, const Entries& stale) const {
   constexpr std::size_t kMostNames = 4;
   std::string text(decision);
   const auto put = [&](std::string_view name, const std::string& names) {
@@ -295,6 +313,7 @@ std::string RunScope::short_head(std::string_view decision) const {
   if (decision == kNoGo) {
     const std::size_t most = kMostNames / std::max<std::size_t>(1, features_.size());
     put("", failing_features(kMostNames));
+    put("", stale_text(stale));
     put("GO: ", go_features(std::max<std::size_t>(1, most), Fold::first));
   } else {
     put("", go_features(kMostNames, Fold::number));

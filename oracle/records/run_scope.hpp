@@ -87,11 +87,14 @@ class RunScope {
 
   // "GO for basic, g94 of gsk988ta: 156 judged, 3 advices; not claimed: g90, g92 (5,085 cases)";
   // "NO-GO: g94 of gsk988ta fails 252 of 878 cases; GO: basic of gsk988ta; 593 of 865 judged are
-  // GO". `most`: names of features of a dialect; the others are counted.
-  std::string head(std::string_view decision, std::size_t most = kAll) const;
+  // GO". `most`: names of features of a dialect; the others are counted. `stale`: entries of the
+  // subject's files that are no longer true, which make a NO-GO by themselves.
+  using Entries = std::vector<std::string>;
+  std::string head(std::string_view decision, std::size_t most = kAll,
+                   const Entries& stale = {}) const;
   // The same in less room: "GO · basic, g94 of gsk988ta · 156 judged, 5,085 not claimed"; of a
   // NO-GO the first features that fail and the first that are GO.
-  std::string short_head(std::string_view decision) const;
+  std::string short_head(std::string_view decision, const Entries& stale = {}) const;
 
   // Whether a feature of each dialect is GO.
   bool claims_every_dialect() const;
@@ -132,6 +135,10 @@ class RunScope {
   std::map<Advice, Group> advices_;
 };
 
+// "1 known failure is stale, 2 entries of the alarm map are stale"; empty: no entry is.
+std::string stale_text(const std::vector<std::string>& stale);
+// What an entry of the alarm map begins with where a footer says that it is stale.
+inline constexpr std::string_view kStaleAlarm = "alarm map ";
 // "6,613"
 std::string grouped(std::size_t count);
 // "12 cases", "1 case"

@@ -91,6 +91,7 @@ struct Verdict {
   // For a GO: those that are compared.
   std::optional<RoundingCensus> coordinates = {};
   std::string reading;                // another reading under which the answer would be GO: "k=v"
+  std::string told_under;             // J-READ-01: "k=v, k=v", where `expand` shows others
   std::uint64_t block = 0;            // source line; 0: none
   std::optional<std::size_t> record;  // place of the subject's record, from 0
   reference::WordName word;

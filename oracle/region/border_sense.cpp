@@ -1,12 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/border_sense.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "oracle/region/constants.hpp"
 #include "oracle/region/gouge.hpp"
 
 namespace gonogo::oracle::region {
+namespace {
+
+// The angle is estimated, its turns are known.
+Interval length_of(const Arc& arc) {
+  using std::numbers::pi;
+  const double sine = median(determinant(arc.ua, arc.ub));
+  double angle = std::atan2(sine, median(scalar_product(arc.ua, arc.ub)));
+  if (angle < (arc.sweep.wide ? pi / 2 : -pi / 2)) angle += 2 * pi;
+  angle = std::max(angle, 0.0) + 2 * pi * arc.turns;
+  return hull(arc.ra, arc.rb) * Interval(std::max(angle - kEstimate, 0.0), angle + kEstimate);
+}
+
+Course course_of(int way, Against runs_along, const Interval& length) {
+  if (runs_along == Against::no) return {};
+  return {way, runs_along == Against::yes, length.inf(), length.sup()};
+}
+
+}  // namespace
+
 // What decides the direction, in doubles: the sine between a motion of four times the width
 // and the border that it runs along is at most 1/2, so the sign of its progress is never close.
 struct BorderSense::Track {
@@ -34,7 +55,7 @@ bool BorderSense::is_nearly_inside(const IntervalVector& point) const {
          abs(point.y()).sup() < enclosed_inner_.core_q.inf();
 }
 
-bool BorderSense::goes_against(const Track& track) const {
+int BorderSense::way_of(const Track& track) const {
   // Straight out of the area: from the core's nearest point or, within it, through the nearest
   // side.
   const double depth_p = std::fabs(track.x) - median(border_.core_p);
@@ -46,7 +67,8 @@ bool BorderSense::goes_against(const Track& track) const {
     ny = depth_p >= depth_q ? 0.0 : std::copysign(1.0, track.y);
   }
   const double progress = (nx * track.dy - ny * track.dx) * sense_;
-  return progress < -0.5 * std::hypot(nx, ny) * std::hypot(track.dx, track.dy);
+  const double half = 0.5 * std::hypot(nx, ny) * std::hypot(track.dx, track.dy);
+  return progress < -half ? -1 : progress > half ? 1 : 0;
 }
 
 // Whether the line lies on the far side of one straight side of the inner area. Exactly.
@@ -76,16 +98,15 @@ Against BorderSense::along(const LinePiece& whole_line) const {
   return result;
 }
 
-Against BorderSense::of_line(const Line& line) const {
-  if (!inner_ || !(line.length.inf() > shortest_)) return Against::no;
-  if (is_nearly_inside(line.a) || is_nearly_inside(line.b)) return Against::no;
+Course BorderSense::of_line(const Line& line) const {
+  if (!inner_ || !(line.length.inf() > shortest_)) return {};
+  if (is_nearly_inside(line.a) || is_nearly_inside(line.b)) return {};
   const IntervalVector d = line.b - line.a;
   const IntervalVector m = Interval(0.5) * (line.a + line.b);
-  if (!goes_against({median(m.x()), median(m.y()), median(d.x()), median(d.y())}))
-    return Against::no;
-  if (!contains(outer_, line.from) || !contains(outer_, line.to)) return Against::no;
-  if (is_beside(line)) return Against::yes;
-  return along(LinePiece{line.a, line.b});
+  const int way = way_of({median(m.x()), median(m.y()), median(d.x()), median(d.y())});
+  if (way == 0 || !contains(outer_, line.from) || !contains(outer_, line.to)) return {};
+  const Against along_it = is_beside(line) ? Against::yes : along(LinePiece{line.a, line.b});
+  return course_of(way, along_it, line.length);
 }
 
 bool BorderSense::runs_along(const Line& line) const {
@@ -102,12 +123,13 @@ bool BorderSense::is_long_enough(const PlanePoint& from, const PlanePoint& to) c
   return norm(enclose(to) - enclose(from)).inf() > shortest_;
 }
 
-bool BorderSense::goes_against(const PlanePoint& from, const PlanePoint& to) const {
+Course BorderSense::between(const PlanePoint& from, const PlanePoint& to) const {
   const IntervalVector a = enclose(from);
   const IntervalVector b = enclose(to);
   const IntervalVector d = b - a;
   const IntervalVector m = Interval(0.5) * (a + b);
-  return goes_against({median(m.x()), median(m.y()), median(d.x()), median(d.y())});
+  const int way = way_of({median(m.x()), median(m.y()), median(d.x()), median(d.y())});
+  return course_of(way, Against::yes, norm(d));
 }
 
 Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
@@ -128,29 +150,40 @@ Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
   return result;
 }
 
-Against BorderSense::of_arc(const Arc& arc, bool counterclockwise) const {
-  if (!inner_) return Against::no;
+Course BorderSense::of_arc(const Arc& arc, bool counterclockwise) const {
+  if (!inner_) return {};
   const Stretch stretch = whole(arc);
   const IntervalVector a = arc.c + stretch.a();
   const IntervalVector b = arc.c + stretch.b();
-  if (is_nearly_inside(a) || is_nearly_inside(b)) return Against::no;
+  if (is_nearly_inside(a) || is_nearly_inside(b)) return {};
+  int way = counterclockwise == (sense_ > 0) ? 1 : -1;
   if (arc.turns > 0 || arc.full || stretch.wide) {
     // More than half round the border: it goes as it turns.
-    if (!(2 * std::min(arc.ra.inf(), arc.rb.inf()) > shortest_)) return Against::no;
-    if (counterclockwise == (sense_ > 0)) return Against::no;
+    if (!(2 * std::min(arc.ra.inf(), arc.rb.inf()) > shortest_)) return {};
   } else {
     const IntervalVector d = counterclockwise ? b - a : a - b;
-    if (!(norm(d).inf() > shortest_)) return Against::no;
+    if (!(norm(d).inf() > shortest_)) return {};
     const IntervalVector m = arc.c + middle_of(stretch);
-    if (!goes_against({median(m.x()), median(m.y()), median(d.x()), median(d.y())})) {
-      return Against::no;
-    }
+    way = way_of({median(m.x()), median(m.y()), median(d.x()), median(d.y())});
+    if (way == 0) return {};
   }
   const Reach reach = reach_of(arc, outer_);
-  if (reach.kind == Reach::Kind::outside) return Against::no;
-  const Against result = along({stretch}, arc);
-  const bool open = reach.kind == Reach::Kind::undecided && result == Against::yes;
-  return open ? Against::undecided : result;
+  if (reach.kind == Reach::Kind::outside) return {};
+  Against along_it = along({stretch}, arc);
+  const bool is_open = reach.kind == Reach::Kind::undecided && along_it == Against::yes;
+  if (is_open) along_it = Against::undecided;
+  return course_of(way, along_it, length_of(arc));
+}
+
+Against WayBack::add(const Course& narrow, const Course& wide) {
+  const bool is_sure = narrow.is_sure && wide.is_sure && narrow.way == wide.way;
+  const Course& course = wide.way != 0 ? wide : narrow;
+  if (course.way == 0) return Against::no;
+  const Interval length(is_sure ? course.least : 0.0, course.most);
+  back_ = course.way < 0 ? back_ + length : back_ - length;
+  back_ = Interval(std::max(back_.inf(), 0.0), std::max(back_.sup(), 0.0));
+  if (back_.inf() > limit_.sup()) return Against::yes;
+  return back_.sup() > limit_.inf() ? Against::undecided : Against::no;
 }
 
 }  // namespace gonogo::oracle::region

@@ -8,8 +8,15 @@
 
 namespace gonogo::oracle::region {
 
-// Whether a motion goes along the border against the sense.
 enum class Against { no, yes, undecided };
+
+// How a motion runs along the border: as the sense says (1), back (-1), or not at all (0).
+struct Course {
+  int way = 0;
+  bool is_sure = true;  // that it runs along it
+  double least = 0;     // its length, where it runs along it
+  double most = 0;
+};
 
 class BorderSense {
  public:
@@ -17,20 +24,20 @@ class BorderSense {
   // border when all of it lies within `width` of it.
   BorderSense(const RoundedRectangle& border, int sense, const Number& width);
 
-  Against of_line(const Line& line) const;
-  Against of_arc(const Arc& arc, bool counterclockwise) const;
+  Course of_line(const Line& line) const;
+  Course of_arc(const Arc& arc, bool counterclockwise) const;
 
   // Whether, of pieces in a row, one surely runs along the border, or a place lies on it, and
-  // whether a way along it from one point to another, long enough, goes against the sense.
+  // how a way along it, long enough, leads from one point to another.
   bool runs_along(const Line& line) const;
   bool touches(const PlanePoint& place) const;
   bool is_long_enough(const PlanePoint& from, const PlanePoint& to) const;
-  bool goes_against(const PlanePoint& from, const PlanePoint& to) const;
+  Course between(const PlanePoint& from, const PlanePoint& to) const;
 
  private:
   struct Track;
   bool is_nearly_inside(const IntervalVector& point) const;
-  bool goes_against(const Track& track) const;
+  int way_of(const Track& track) const;
   Against along(std::vector<Stretch> open, const Arc& arc) const;
   Against along(const LinePiece& piece) const;
   bool is_beside(const Line& line) const;
@@ -41,6 +48,21 @@ class BorderSense {
   std::optional<RoundedRectangle> inner_;  // and not in the inside of this; none: no direction
   EnclosedRectangle enclosed_inner_;
   double shortest_;  // no shorter motion has a direction
+};
+
+// J-PKT-06: how far the path has run back along the border since it was farthest on.
+class WayBack {
+ public:
+  // More than between these two is too far.
+  WayBack(const Number& least, const Number& most)
+      : limit_(enclose(least).inf(), enclose(most).sup()) {}
+  // A motion that runs along the border as the one says if it is narrow, and the other if it is
+  // wide. Whether the path has run back too far.
+  Against add(const Course& narrow, const Course& wide);
+
+ private:
+  Interval limit_;
+  Interval back_{0.0};
 };
 
 }  // namespace gonogo::oracle::region

@@ -72,8 +72,8 @@ inline constexpr int kTwoPlaces = 3;
 inline constexpr int kNoDirection = 4;
 // tolerances | nearer to the middle of a pocket, or shorter, nothing turns | J-PKT-06
 inline constexpr int kBlur = 8;
-// of the tool's radius | motions no longer, along the border of a pocket, are taken together |
-// J-PKT-06
+// of the tool's radius | motions no longer, along the border of a pocket, are taken together, and
+// no farther may the path lead back along it | J-PKT-06
 inline constexpr int kSmallOfTool = 4;
 // of a step | rings that are no farther apart are one | J-CYC-02
 inline constexpr int kRingsOfStep = 100;

@@ -75,18 +75,17 @@ class LevelJudge {
  private:
   std::optional<LevelVerdict> sense();
   bool turns_wrongly(const LevelMotion& motion) const;
-  template <class Answer>
-  std::optional<LevelVerdict> first_against(const Answer& answer_of, const char* open);
+  std::optional<LevelVerdict> sense_along_border();
   std::optional<LevelVerdict> sense_round_middle();
-  std::optional<LevelVerdict> sense_of_pieces();
   std::optional<LevelVerdict> sense_of_chords();
-  Against against(const LevelMotion& motion) const;
+  Course course_along(const BorderSense& border, const LevelMotion& motion) const;
+  Course course_of_pieces(std::size_t motion, std::optional<PlanePoint>& touch) const;
   Line line_of(const LevelMotion& motion) const {
     return make_line(motion.from - terms_.middle, motion.to - terms_.middle);
   }
   bool is_small(const LevelMotion& motion) const;
   bool is_against(const Arc& arc, bool counterclockwise) const {
-    if (terms_.by_border) return surely_.of_arc(arc, counterclockwise) != Against::no;
+    if (terms_.by_border) return surely_.of_arc(arc, counterclockwise).way < 0;
     return counterclockwise != (terms_.sense > 0);
   }
   std::optional<LevelVerdict> gouge();
@@ -154,21 +153,11 @@ LevelVerdict LevelJudge::judge() {
   return verdict;
 }
 
-// Against the sense along the border: only what is so whichever way the slack falls.
-Against LevelJudge::against(const LevelMotion& motion) const {
-  const auto by = [&](const BorderSense& border) {
-    if (!motion.is_arc) return border.of_line(line_of(motion));
-    return border.of_arc(make_arc(motion, terms_.middle), motion.rot > 0);
-  };
-  if (motion.is_arc) {
-    const bool about_end = motion.from == motion.centre || motion.to == motion.centre;
-    if (motion.rot == 0 || about_end) return Against::no;
-  } else if (motion.from == motion.to) {
-    return Against::no;
-  }
-  const Against surely = by(surely_);
-  if (terms_.slack.sign() == 0) return surely;
-  return surely == by(perhaps_) ? surely : Against::undecided;
+Course LevelJudge::course_along(const BorderSense& border, const LevelMotion& motion) const {
+  if (!motion.is_arc) return border.of_line(line_of(motion));
+  const bool about_end = motion.from == motion.centre || motion.to == motion.centre;
+  if (motion.rot == 0 || about_end) return {};
+  return border.of_arc(make_arc(motion, terms_.middle), motion.rot > 0);
 }
 
 // A negligible motion has none.
@@ -182,13 +171,7 @@ std::optional<LevelVerdict> LevelJudge::sense() {
       if (turns_wrongly(motion)) return against_sense(motion);
     }
   }
-  // J-PKT-06, SIE-LC75-12: of all motions, those along the border.
-  const auto along_border = [this](const LevelMotion& motion) { return against(motion); };
-  if (auto verdict =
-          first_against(along_border, "Whether a motion follows the border is undecided.")) {
-    return verdict;
-  }
-  if (auto verdict = sense_of_pieces()) return verdict;
+  if (auto verdict = sense_along_border()) return verdict;
   if (terms_.by_border) return std::nullopt;
   if (auto verdict = sense_round_middle()) return verdict;
   return terms_.chord.sign() > 0 ? sense_of_chords() : std::nullopt;
@@ -201,24 +184,19 @@ bool LevelJudge::turns_wrongly(const LevelMotion& motion) const {
   return (motion.rot > 0) != (terms_.sense > 0);
 }
 
-// `open`: what is said where an answer is undecided.
-template <class Answer>
-std::optional<LevelVerdict> LevelJudge::first_against(const Answer& answer_of, const char* open) {
-  for (const LevelMotion& motion : motions_) {
-    if (!has_sense(motion, terms_.turns.within)) continue;
-    const Against answer = answer_of(motion);
-    if (answer == Against::undecided) leave_undecided(GapReason::comparison, open);
-    if (answer == Against::yes) return against_sense(motion);
-  }
-  return std::nullopt;
-}
-
 // J-PKT-06: rings round the middle, in pieces of any kind.
 std::optional<LevelVerdict> LevelJudge::sense_round_middle() {
   Winding winding(terms_.middle, terms_.sense, terms_.step.value_or(0),
                   Number(kBlur) * terms_.tolerance);
-  return first_against([&](const LevelMotion& motion) { return winding.add(motion); },
-                       "Which way the path goes round is undecided.");
+  for (const LevelMotion& motion : motions_) {
+    if (!has_sense(motion, terms_.turns.within)) continue;
+    const Against answer = winding.add(motion);
+    if (answer == Against::yes) return against_sense(motion);
+    if (answer == Against::undecided) {
+      leave_undecided(GapReason::comparison, "Which way the path goes round is undecided.");
+    }
+  }
+  return std::nullopt;
 }
 
 // Whether the motion stays near where it begins.
@@ -231,27 +209,51 @@ bool LevelJudge::is_small(const LevelMotion& motion) const {
   return 2 * std::max(arc.ra.sup(), arc.rb.sup()) <= nearby_ || (arc.turns == 0 && !arc.sweep.wide);
 }
 
-// J-PKT-06: small motions in a row that touch the border again and again, as one along it; straight
-// chords that run along it likewise.
-std::optional<LevelVerdict> LevelJudge::sense_of_pieces() {
+// J-PKT-06, SIE-LC75-12: nowhere back along the border by more than a quarter of the tool's radius,
+// or of the half width of E. Places of the path may be off by the tolerance.
+std::optional<LevelVerdict> LevelJudge::sense_along_border() {
+  const Number quarter = min(terms_.tool_radius, inner_radius(border_)) / Number(kSmallOfTool);
+  WayBack way(quarter + terms_.tolerance - terms_.slack, quarter + terms_.tolerance + terms_.slack);
   std::optional<PlanePoint> touch;
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const LevelMotion& motion = motions_[i];
     if (!motion.is_arc && motion.from == motion.to) continue;
-    const BorderSense& border = is_chord(i) ? *along_chords_ : surely_;
-    const BorderSense& length = is_chord(i) ? *along_chords_ : perhaps_;
-    const PlanePoint to = motion.to - terms_.middle;
-    const bool follows = is_chord(i) && border.runs_along(line_of(motion));
-    const bool is_near =
-        is_small(motion) && touch && norm(enclose(to) - enclose(*touch)).sup() <= nearby_;
-    if (!follows && !is_near) touch.reset();
-    if (!border.touches(to)) continue;
-    if (!touch) touch = follows ? motion.from - terms_.middle : to;
-    if (!length.is_long_enough(*touch, to)) continue;
-    if (length.goes_against(*touch, to)) return against_sense(motion);
-    touch = to;
+    Course narrow;
+    Course wide;
+    if (has_sense(motion, terms_.turns.within)) {
+      narrow = wide = course_along(surely_, motion);
+      if (terms_.slack.sign() != 0) wide = course_along(perhaps_, motion);
+    }
+    if (narrow.way == 0 && wide.way == 0) {
+      narrow = wide = course_of_pieces(i, touch);
+    } else {
+      touch.reset();
+      if (surely_.touches(motion.to - terms_.middle)) touch = motion.to - terms_.middle;
+    }
+    const Against answer = way.add(narrow, wide);
+    if (answer == Against::yes) return against_sense(motion);
+    if (answer == Against::undecided) {
+      leave_undecided(GapReason::comparison, "How far the path goes back is undecided.");
+    }
   }
   return std::nullopt;
+}
+
+// Small motions in a row that touch the border again and again, as one along it; straight chords
+// that run along it likewise. `touch`: where they did, and how far they have been counted.
+Course LevelJudge::course_of_pieces(std::size_t number, std::optional<PlanePoint>& touch) const {
+  const LevelMotion& motion = motions_[number];
+  const BorderSense& border = is_chord(number) ? *along_chords_ : surely_;
+  const BorderSense& length = is_chord(number) ? *along_chords_ : perhaps_;
+  const PlanePoint to = motion.to - terms_.middle;
+  const bool follows = is_chord(number) && border.runs_along(line_of(motion));
+  const bool is_near =
+      is_small(motion) && touch && norm(enclose(to) - enclose(*touch)).sup() <= nearby_;
+  if (!follows && !is_near) touch.reset();
+  if (!border.touches(to)) return {};
+  if (!touch) touch = follows ? motion.from - terms_.middle : to;
+  if (!length.is_long_enough(*touch, to)) return {};
+  return length.between(*std::exchange(touch, to), to);
 }
 
 // J-PKT-06

@@ -294,11 +294,36 @@ bool Correspondence::is_alarm_at_load() {
 
 namespace {
 
-VerdictKind kind_of(const Event& want, const Event& got, bool ends_by_alarm) {
-  const bool alarms = want.part == Part::close && std::holds_alternative<AlarmReport>(*want.item);
-  if (!alarms) return VerdictKind::fail_alarm_spurious;
-  if (ends_by_alarm) return VerdictKind::fail_alarm_class;
-  return got.part == Part::close ? VerdictKind::fail_alarm_missing : VerdictKind::fail_alarm_late;
+struct OtherAlarm {
+  VerdictKind kind;
+  std::string_view message;
+};
+
+// R6: `due` is null where no alarm is; `got` the subject's, where it has one. `comes_here`: nothing
+// stands between the place where the sides part and it.
+OtherAlarm other_alarm(const AlarmReport* due, const oracle::SubjectAlarm* got, bool comes_here,
+                       bool compares_lines) {
+  if (due == nullptr) return {VerdictKind::fail_alarm_spurious, "No alarm is due."};
+  if (got == nullptr) return {VerdictKind::fail_alarm_missing, "The alarm that is due is missing."};
+  if (!comes_here) {
+    return {VerdictKind::fail_alarm_late, "The subject goes on before the alarm that is due."};
+  }
+  if (compares_lines && got->block < due->block) {
+    return {VerdictKind::fail_alarm_spurious, "The alarm comes in a line before the due one."};
+  }
+  if (compares_lines && got->block > due->block) {
+    return {VerdictKind::fail_alarm_late, "The alarm comes in a line behind the due one."};
+  }
+  return {VerdictKind::fail_alarm_class, "The alarm is of another class."};
+}
+
+// R3: whether both sides dwell there, in one block: then it is their times that differ.
+bool is_dwell_of(const Event& want, const Event& got, const Tolerances& tolerances) {
+  if (want.part != Part::stop || got.part != Part::stop) return false;
+  const Record& due = want.source();
+  const Record& came = got.source();
+  return due.kind == RecordKind::dwell && came.kind == RecordKind::dwell &&
+         (!tolerances.compare_blocks || due.block == came.block);
 }
 
 }  // namespace
@@ -318,10 +343,11 @@ Answer Correspondence::departure() {
   }
   const bool ends_by_alarm =
       outcome_.alarm != nullptr && got.part == Part::close && got.item == nullptr;
-  const bool alarms = want.part == Part::close && std::holds_alternative<AlarmReport>(*want.item);
-  if (alarms || ends_by_alarm) {
-    return departs(kind_of(want, got, ends_by_alarm), Rule::alarm,
-                   "The alarm is not the one that is due.");
+  const auto* due = want.part == Part::close ? std::get_if<AlarmReport>(&*want.item) : nullptr;
+  if (due != nullptr || ends_by_alarm) {
+    const auto [kind, message] =
+        other_alarm(due, outcome_.alarm, ends_by_alarm, tolerances_.compare_blocks);
+    return departs(kind, Rule::alarm, std::string(message));
   }
   if (want.part == Part::free_step) {
     return departs(VerdictKind::fail_geometry, Rule::free_step,
@@ -341,6 +367,9 @@ Answer Correspondence::departure() {
   }
   if (want.part == Part::close && got.part == Part::close) {
     return departs(VerdictKind::fail_geometry, Rule::place, "The end is not that of the program.");
+  }
+  if (is_dwell_of(want, got, tolerances_)) {
+    return departs(VerdictKind::fail_feed, Rule::label, "The time of a dwell differs.");
   }
   if (!want.is_motion() || !got.is_motion()) {
     return departs(VerdictKind::fail_order, Rule::event, "An event is due here, or elsewhere.");

@@ -171,10 +171,16 @@ void Correspondence::expand(const Place& place, const Reached& reached) {
   if (is_outside) return close(place);
   if (!is_corner) return;
   if (got.part == Part::stop) match_stop(place);
+  if (want.part == Part::stop) leave_out_dwell(place);
   if (want.part == Part::stop && got.part == Part::close) leave_out_of_alarm(place);
   if (want.part == Part::renaming) rename(place);
   if (want.part == Part::free_step) take_free_step(place);
   if (want.part == Part::close || got.part == Part::close) close(place);
+  if (best_ && decision(best_->kind) == oracle::Decision::go && pairs_[place.pair].is_unfit) {
+    best_->kind = VerdictKind::oracle_gap;
+    best_->gap = GapReason::reading_unfit;
+    best_->message = "The run-out of the reading leads into the material by itself.";
+  }
 }
 
 // Two pieces with one label: from the lowest place that is reached, everything beyond it.
@@ -182,6 +188,7 @@ void Correspondence::match_cuts(const Place& place, const Reached& reached) {
   const Event& want = reference(place).at(place.i);
   const Event& got = subject(place).at(place.j);
   if (compare(*want.label, *got.label, tolerances_) != Likeness::same) return;
+  if (!may_be_turned(want, got)) return;
   const Number tau = cell_tolerance(place);
   const auto left = lowest(reached.at_start_of_want, near_part(got, want.from, tau));
   auto below = lowest(reached.at_start_of_got, near_part(want, got.from, tau));
@@ -202,6 +209,34 @@ void Correspondence::match_cuts(const Place& place, const Reached& reached) {
   }
 }
 
+// R2: an arc that has its other turn because rounding has moved its end is one of the reference's,
+// each number rounded, and does not end where it starts there.
+bool Correspondence::may_be_turned(const Event& want, const Event& got) const {
+  if (!manner_.only_rounded || std::ranges::count(manner_.turned, got.record) == 0) return true;
+  if (want.part != Part::cut || !std::holds_alternative<Record>(*want.item)) return false;
+  const Record& due = want.source();
+  const Record& arc = got.source();
+  if (due.kind != RecordKind::arc || due.plane != arc.plane || due.rot != arc.rot) return false;
+  const reference::PlaneAxes axes = reference::axes_of(arc.plane);
+  const Position due_end = end_of(due, want.start);
+  const Position end = end_of(arc, got.start);
+  Number most;  // of the numbers, and how far they are off
+  Number off;
+  const auto look = [&](const Number& is, const Number& shown) {
+    most = max(most, abs(rational_near(shown)));
+    off = max(off, abs(rational_near(is - shown)));
+  };
+  bool closes = true;
+  for (const auto& [axis, i] : {std::pair(axes.p, 0U), std::pair(axes.q, 1U)}) {
+    look(want.start[axis], got.start[axis]);
+    look(due_end[axis], end[axis]);
+    look(due.centre[i], arc.centre[i]);
+    closes = closes && rational_near(due_end[axis] - want.start[axis]).sign() == 0;
+  }
+  if (tolerances_.binary64 && !tolerances_.resolution) return off <= most * Number::binary(1, -51);
+  return !closes && off * 2 <= tolerances_.resolution.value_or(tolerances_.increment);
+}
+
 // R3: a stretch of one label that stays near one place has none: the other side stands there.
 void Correspondence::pass_over_subject(const Place& place, Intervals of_want) {
   SubjectSide& side = subject(place);
@@ -211,6 +246,7 @@ void Correspondence::pass_over_subject(const Place& place, Intervals of_want) {
   Place next = place;
   for (std::size_t j = place.j;; ++j) {
     const Event& got = side.at(j);
+    if (!may_be_turned(want, got)) return;
     const Number tau = tolerance(tolerances_.tolerance, want.width + got.width);
     for (const Position* point : {&got.from, &got.to}) {
       if (want.part == Part::cut) {

@@ -24,6 +24,7 @@ struct Manner {
   bool excuses_centres = false;  // R7: of arcs whose centre no text says how finely to compute
   bool passes_end = false;       // R7: over an end that no text states
   std::vector<std::size_t> turned = {};  // R9: records of arcs that have their other turn
+  bool only_rounded = false;  // R2: and each of them is an arc of the reference's, rounded
 };
 
 class Correspondence {
@@ -54,6 +55,7 @@ class Correspondence {
     std::shared_ptr<SubjectSide> subject;
     std::size_t first_record = 0;  // with which the subject's side begins
     Position start;
+    bool is_unfit = false;  // R9: by a run-out that leads into the material by itself
   };
   struct Place {
     std::size_t pair = 0;
@@ -75,13 +77,16 @@ class Correspondence {
   void pass_over_reference(const Place& place, Intervals of_got);
   void traverse(const Place& place, const Interval& entry);
   bool is_partner(const Event& want, const Event& got) const;
+  bool may_be_turned(const Event& want, const Event& got) const;
   std::optional<std::size_t> fitting_m(const Place& place, bool is_within);
   std::optional<Place> behind_m(const Place& place, bool is_within);
   std::shared_ptr<ReferenceSide> another_reference(const Place& place, Settled settled);
   void match_stop(const Place& place);
+  void leave_out_dwell(const Place& place);
   void rename(const Place& place);
   void take_free_step(const Place& place);
-  void settle(const Place& place, std::vector<reference::Record> path, const Place& next);
+  void settle(const Place& place, std::vector<reference::Record> path, const Place& next,
+              bool is_unfit);
   void close(const Place& place);
   void close_at_end(const Place& place, const reference::Record& end);
   void close_at_alarm(const Place& place, const reference::AlarmReport& report);

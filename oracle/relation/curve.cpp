@@ -149,9 +149,9 @@ Position point_of(const Turning& turning, const Number& part, const Number& cosi
   return point;
 }
 
-// r (1 - cos(half the sweep)) of less than half a turn.
+// Its middle is farthest: r (1 - cos(half the sweep)), of a whole turn and more the diameter.
 bool is_within_of_chord(const Turning& turning, const Number& tau) {
-  if (turning.degrees >= Number(180)) return false;
+  if (turning.degrees >= Number(360)) return turning.radius * 2 <= tau;
   const Number cosine = rational_near(exact::cos_degrees(turning.degrees / 2));
   return turning.radius * (Number(1) - cosine) <= tau;
 }
@@ -189,12 +189,26 @@ Rastered rastered(const Position& position, const Number& tau) {
   return result;
 }
 
-bool has_two_readings(const Record& record, const Position& from, const Number& tau) {
-  if (record.kind != RecordKind::arc) return false;
+namespace {
+
+// Along the axis where they are farthest; of anything but an arc nothing.
+std::optional<Number> between_ends(const Record& record, const Position& from) {
+  if (record.kind != RecordKind::arc) return std::nullopt;
   const reference::PlaneAxes axes = reference::axes_of(record.plane);
-  const Number dp = abs(rational_near(record.to[axes.p] - from[axes.p]));
-  const Number dq = abs(rational_near(record.to[axes.q] - from[axes.q]));
-  return max(dp, dq) > kOneNumber && dp <= tau && dq <= tau;
+  return max(abs(rational_near(record.to[axes.p] - from[axes.p])),
+             abs(rational_near(record.to[axes.q] - from[axes.q])));
+}
+
+}  // namespace
+
+bool ends_agree(const Record& arc, const Position& from, const Number& tau) {
+  const std::optional<Number> apart = between_ends(arc, from);
+  return apart && *apart <= tau;
+}
+
+bool has_two_readings(const Record& record, const Position& from, const Number& tau) {
+  const std::optional<Number> apart = between_ends(record, from);
+  return apart && *apart > kOneNumber && *apart <= tau;
 }
 
 Cutter::Cutter(const Record& record, const Position& from, const Number& tau, Turn turn)
@@ -202,7 +216,7 @@ Cutter::Cutter(const Record& record, const Position& from, const Number& tau, Tu
   const Position start = rational_near(from);
   const Position end = rational_near(to_);
   if (record.kind == RecordKind::arc) {
-    const bool other = turn == Turn::the_other && has_two_readings(record, from, tau);
+    const bool other = turn == Turn::the_other && ends_agree(record, from, tau);
     turning_ = turning_of_arc(record, start, end, other ? Turn::the_other : Turn::as_written);
     is_flat_ = !turning_;
   } else if (record.kind == RecordKind::arc3) {

@@ -52,6 +52,8 @@ struct Turning {
 // Whether an arc may be read as another one, since its ends agree within tau: a nil turn where its
 // numbers say a full one, or the reverse.
 enum class Turn : std::uint8_t { as_written, the_other };
+bool ends_agree(const reference::Record& arc, const Position& from, const Number& tau);
+// The same of an arc that ends beside where it starts: what it says itself is not sure.
 bool has_two_readings(const reference::Record& record, const Position& from, const Number& tau);
 
 // The pieces of a motion, one at a time: an arc of a thousand million turns has many.

@@ -99,6 +99,29 @@ std::vector<std::vector<std::size_t>> other_turns(const reference::Profile& prof
   return turns;
 }
 
+// R2: with the arcs at which the trace departs, one after the other, as what they are of the
+// reference's, rounded.
+std::optional<Judgement> judge_rounded(const reference::Profile& profile, std::string_view program,
+                                       const Tolerances& tolerances, const Outcome& outcome,
+                                       const Answer& departure) {
+  reference::Position here = profile.initial.at;
+  std::vector<bool> may_turn;
+  for (const reference::Record& record : outcome.records) {
+    may_turn.push_back(ends_agree(record, here, tolerances.tolerance));
+    if (is_motion(record.kind)) here = end_of(record, here);
+  }
+  Manner manner{.turned = {}, .only_rounded = true};
+  Judgement judgement{departure, {}, {}, {}};
+  while (is_departure(judgement.answer)) {
+    const std::size_t record = judgement.answer.record.value_or(may_turn.size());
+    if (record >= may_turn.size() || !may_turn[record]) return std::nullopt;
+    may_turn[record] = false;
+    manner.turned.push_back(record);
+    judgement = judge(profile, program, tolerances, outcome, manner);
+  }
+  return judgement;
+}
+
 // Under one assignment: R7 of centres and of ends, and R9 of arcs whose ends agree.
 Judgement judge_readings_of_trace(const reference::Profile& profile, std::string_view program,
                                   const Tolerances& tolerances, const Outcome& outcome) {
@@ -113,6 +136,13 @@ Judgement judge_readings_of_trace(const reference::Profile& profile, std::string
     excuse(judgement.answer, excused.answer, "No text says that the program ends.");
   }
   if (!is_departure(judgement.answer) || tolerances.exact) return judgement;
+  const bool says_how_it_rounds = tolerances.resolution || tolerances.binary64;
+  if (auto rounded = judge_rounded(profile, program, tolerances, outcome, judgement.answer)) {
+    if (!is_go(rounded->answer) || says_how_it_rounds) return *std::move(rounded);
+    rounded->answer =
+        undecided(GapReason::two_readings, "An arc whose ends agree may be a nil or a full turn.");
+    return *std::move(rounded);
+  }
   for (const std::vector<std::size_t>& turned : other_turns(profile, tolerances, outcome)) {
     const Judgement other = judge(profile, program, tolerances, outcome, {.turned = turned});
     if (rank(other.answer) > kUndecided) continue;
@@ -196,8 +226,9 @@ std::string_view name(Rule rule) {
 }
 
 std::string_view name(GapReason reason) {
-  constexpr std::array<std::string_view, 7> kNames = {
-      "", "not-covered", "profile", "cutting", "comparison", "two-readings", "many-assignments"};
+  constexpr std::array<std::string_view, 8> kNames = {
+      "",           "not-covered",  "profile",          "cutting",
+      "comparison", "two-readings", "many-assignments", "reading-unfit"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

@@ -45,6 +45,7 @@ enum class GapReason : std::uint8_t {
   comparison,        // two numbers at 4,096 bits
   two_readings,      // of one trace, with different verdicts
   many_assignments,  // of open readings: more than 64
+  reading_unfit,     // its run-out leads into the material by itself
 };
 std::string_view name(GapReason reason);
 

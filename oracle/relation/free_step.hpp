@@ -19,11 +19,6 @@ std::vector<std::vector<reference::Record>> paths_of(const reference::HelixPocke
                                                      SubjectSide& subject, std::size_t begin,
                                                      const Number& tau);
 
-// The paths of a thread that the reading gsk.thread.path = arc names, on either side along p; none
-// of more passes than `most`.
-std::vector<std::vector<reference::Record>> paths_of(const reference::ThreadMilling& thread,
-                                                     const Position& from, std::size_t most);
-
 // What a place may be off by; the width of a piece is taken off it or added (Bias).
 class Slack {
  public:
@@ -56,6 +51,15 @@ struct Followed {
 StepAnswer follow(const reference::PocketLevel& level, const Followed& way);
 StepAnswer follow(const reference::PocketMilling& pocket, const Followed& way);
 StepAnswer follow(const reference::ThreadMilling& thread, const Followed& way);
+
+// The paths of a thread that the reading gsk.thread.path = arc names, on either side along p, none
+// with a run-out that is unfit where another is fit; none of more passes than `most`.
+std::vector<std::vector<reference::Record>> paths_of(const reference::ThreadMilling& thread,
+                                                     const Position& from, const Followed& way,
+                                                     std::size_t most);
+// R9: whether the run-out of the reading is unfit in one of so many passes: it leads into the
+// material by itself.
+bool is_unfit(const reference::ThreadMilling& thread, const Followed& way, std::size_t most);
 
 // R3: the end of a stretch of one label that stays near a place; nothing where it does not. The
 // place is where the last motion ended that had a label: small stretches do not add up.

@@ -30,6 +30,7 @@ class MillingConditions {
         limit_(tolerances_.tolerance * 17 / 8),
         start_(way.subject.at(way.begin).from),
         raster_((half_length_ + half_width_) * 4 + Number(1)),
+        rings_(tool_ / 100 + tolerances_.tolerance, tolerances_.tolerance * 4),
         above_(rational_near(pocket.clearance)),
         deepest_(above_) {
     constexpr int kAsMuch = 10;
@@ -43,7 +44,7 @@ class MillingConditions {
   std::string_view take(const Event& piece) {
     const Number height = piece.to[axes_.d];
     const Number off = slack_.axis(piece.width);
-    if (!is_inside(offset_of(piece.to), slack_.round(piece.width))) {
+    if (!is_inside(offset_of(piece.to), slack_.round(piece.width) + chord_of(piece))) {
       return "The tool leaves the pocket.";
     }
     if (moves_another_axis(piece, start_, axes_, off)) return "Another axis moves.";
@@ -67,6 +68,10 @@ class MillingConditions {
   bool may_be_over(const Position& place) const {
     return abs(place[axes_.d] - rational_near(pocket_.retract)) <= tolerances_.tolerance &&
            is_at_middle(place, 0);
+  }
+  bool is_deep() const {
+    return rational_near(pocket_.reference_plane) - rational_near(pocket_.floor) >
+           tolerances_.tolerance;
   }
   // The last lift is too small to be seen.
   bool is_shallow() const {
@@ -105,10 +110,11 @@ class MillingConditions {
     return {p * cosine + q * sine, q * cosine - p * sine};
   }
   // No deeper than tau below R103, so that all or nothing of it is within the tolerance.
-  bool may_be_none() const {
-    return slack_.is_generous() &&
-           rational_near(pocket_.reference_plane) - rational_near(pocket_.floor) <=
-               tolerances_.tolerance;
+  bool may_be_none() const { return slack_.is_generous() && !is_deep(); }
+  // R3: a chord that is granted counts as its arc; where it does not have to, it need not.
+  Number chord_of(const Event& piece) const {
+    const bool may_be = slack_.is_generous() && piece.label->kind == RecordKind::feed;
+    return may_be ? tolerances_.chord : Number(0);
   }
   Stroke stroke_of(const Event& piece) const {
     return {raster_.point(offset_of(piece.from)), raster_.point(offset_of(piece.to))};
@@ -134,8 +140,11 @@ class MillingConditions {
   bool is_roughed(const Offset& offset) const {
     return pocket_.finishing && is_inside(offset, tolerances_.tolerance - allowance_);
   }
-  bool is_along_border(const Position& place) const {
-    return !is_inside(offset_of(place), -limit_ * 2);
+  bool has_rough() const {
+    return pocket_.finishing && min(half_length_, half_width_) - allowance_ >= tool_;
+  }
+  bool is_along_border(const Offset& offset) const {
+    return !is_inside(offset, -limit_ * 2 - tolerances_.chord);
   }
 
   // Whether the tool may be at a height in any motion: above what is cut, or in what
@@ -150,13 +159,18 @@ class MillingConditions {
     return is_above || (pocket_.finishing && is_roughed_there);
   }
 
-  // SIE-LC75-13: within what the level has been cleared of, so far.
+  // SIE-LC75-13: within what the level has been cleared of, so far, and roughing before it.
   bool is_in_cleared(const Event& piece, const Number& off) const {
-    if (levels_.empty()) return false;
-    const Level& level = levels_.back();
-    if (min(piece.from[axes_.d], piece.to[axes_.d]) < level.depth - off) return false;
-    const Stadium tool{stroke_of(piece), raster_.length(tool_)};
-    return slack_.allows(cover_of(level).of(tool));
+    const Number height = min(piece.from[axes_.d], piece.to[axes_.d]);
+    const bool is_level = !levels_.empty() && height >= levels_.back().depth - off;
+    Cover cover = cover_of(is_level ? std::span<const Stroke>(levels_.back().cuts)
+                                    : std::span<const Stroke>());
+    if (has_rough() && height >= rational_near(pocket_.rough_floor) - off) {
+      const Number beside = slack_.is_generous() ? limit_ + width_ : limit_ - width_;
+      const Number corner = max(corner_ - allowance_, tool_);
+      cover.cleared = box_within(allowance_ - beside, corner + beside);
+    }
+    return slack_.allows(cover.of(Stadium{stroke_of(piece), raster_.length(tool_)}));
   }
 
   // Where an infeed has been.
@@ -174,12 +188,14 @@ class MillingConditions {
   }
 
   std::string_view take_traverse(const Event& piece, const Number& off) {
-    if (is_early(piece)) return kEarly;
+    // SIE-LC75-04: at R103 + R102 the first infeed begins, and no traverse leads on.
+    const bool comes_down = piece.to[axes_.d] < piece.from[axes_.d] - off;
+    const bool leads_on = !pocket_.finishing && levels_.empty() && comes_down;
+    if (leads_on || is_early(piece)) return kEarly;
     if (!levels_.empty()) levels_.back().is_over = true;
     const bool is_straight_up = piece.to[axes_.d] > piece.from[axes_.d] &&
                                 way_of(piece, axes_.p) + way_of(piece, axes_.q) <= off;
     // SIE-LC75-11: in finishing it ends above the floor that roughing left.
-    const bool comes_down = piece.to[axes_.d] < piece.from[axes_.d] - off;
     const Number floor = rational_near(pocket_.finishing ? pocket_.rough_floor : pocket_.floor);
     const bool is_in_air = piece.to[axes_.d] >= rational_near(pocket_.reference_plane) - off;
     if ((pocket_.finishing || comes_down) && !is_straight_up && !is_in_air &&
@@ -198,7 +214,7 @@ class MillingConditions {
   std::string_view take_cut(const Event& piece, const Number& off) {
     const bool is_in_material =
         min(piece.from[axes_.d], piece.to[axes_.d]) <= rational_near(pocket_.reference_plane) - off;
-    if (is_in_material && runs_back(piece)) return "The cut goes round the border the other way.";
+    if (turns_again(piece)) return "A ring is cut more than ten times.";
     const bool is_level = abs(piece.to[axes_.d] - piece.from[axes_.d]) <= off;
     const Number& lowest = levels_.empty() ? above_ : levels_.back().depth;
     const bool is_new = piece.to[axes_.d] < lowest - off;
@@ -207,10 +223,11 @@ class MillingConditions {
     if (is_level && piece.to[axes_.d] <= lowest && is_infeed(piece)) {
       return piece.to[axes_.d] < piece.from[axes_.d] ? take_infeed(piece) : std::string_view();
     }
-    if (is_new && pocket_.finishing) levels_.push_back({piece.to[axes_.d], {}});
+    if (is_new && pocket_.finishing) begin_level({piece.to[axes_.d], {}});
     const bool is_at_level =
         !levels_.empty() && is_level && abs(piece.to[axes_.d] - levels_.back().depth) <= off;
     if (is_at_level && !levels_.back().is_over && has_feed(piece, pocket_.plane_feed)) {
+      if (is_in_material && runs_back(piece)) return "The cut goes round the border the other way.";
       levels_.back().cuts.push_back(stroke_of(piece));
       return {};
     }
@@ -221,18 +238,36 @@ class MillingConditions {
                : "The cut has another feed, or is beside its level.";
   }
 
+  void begin_level(Level level) {
+    levels_.push_back(std::move(level));
+    back_ = 0;
+    rings_.clear();
+  }
+
   // SIE-LC75-12: along the border back for more than a quarter of the tool's radius, or of where
   // the tool may go. A line has no way round it.
   bool runs_back(const Event& piece) {
     const Number half = min(half_length_, half_width_) - tool_;
     if (half <= tolerances_.tolerance * 4) return false;
-    if (!is_along_border(piece.from) || !is_along_border(piece.to)) return false;
     const Offset from = offset_of(piece.from);
     const Offset to = offset_of(piece.to);
-    const Number way = max(abs(to.p - from.p), abs(to.q - from.q));
+    const Offset middle{(from.p + to.p) / 2, (from.q + to.q) / 2};
+    if (!is_along_border(from) || !is_along_border(middle) || !is_along_border(to)) return false;
+    const Number way = rational_near(sqrt((to - from).square()));
     const bool is_back = across(from, to).sign() * pocket_.sense < 0;
     back_ = is_back ? back_ + way : max(back_ - way, 0);
-    return back_ > min(tool_, half) / 4;
+    return back_ > min(tool_, half) / 4 + slack_.round(piece.width);
+  }
+
+  bool turns_again(const Event& piece) {
+    const reference::Record& motion = piece.source();
+    if (motion.kind != RecordKind::arc) return false;
+    Position centre = piece.from;
+    centre[axes_.p] = rational_near(motion.centre[0]);
+    centre[axes_.q] = rational_near(motion.centre[1]);
+    const Offset middle = offset_of(centre);
+    return rings_.turns_again(middle, offset_of(piece.from) - middle, offset_of(piece.to) - middle,
+                              motion.rot);
   }
 
   bool is_infeed(const Event& piece) const {
@@ -257,7 +292,7 @@ class MillingConditions {
     if (goes_on) {
       levels_.back().depth = height;
     } else {
-      levels_.push_back({height, {{}}});
+      begin_level({height, {{}}});
     }
     return {};
   }
@@ -294,9 +329,13 @@ class MillingConditions {
     return level == levels_.end();
   }
 
-  Cover cover_of(const Level& level) const {
-    return {level.cuts, raster_.length(tool_ + limit_), raster_.length(width_) + 3,
-            raster_.length(tolerances_.tolerance / 8) + 1};
+  Cover cover_of(std::span<const Stroke> cuts) const {
+    Cover cover;
+    cover.path = cuts;
+    cover.reach = raster_.length(tool_ + limit_ + tolerances_.chord);
+    cover.slack = raster_.length(width_) + 3;
+    cover.raster = raster_.length(tolerances_.tolerance / 8) + 1;
+    return cover;
   }
   Box box_within(const Number& inset, const Number& corner) const {
     return {raster_.length(half_length_ - inset), raster_.length(half_width_ - inset),
@@ -310,7 +349,7 @@ class MillingConditions {
       if (allowance_.sign() == 0) return true;
       region.inner = box_within(allowance_, max(corner_ - allowance_, tool_));
     }
-    return slack_.allows(cover_of(level).of(region));
+    return slack_.allows(cover_of(level.cuts).of(region));
   }
 
   // SIE-LC75-07: inside of the strip the cuts are longer than a way out and back, and mill more
@@ -353,6 +392,7 @@ class MillingConditions {
   Number limit_;
   Position start_;
   Raster raster_;
+  Rings rings_;     // of the level
   Number back_;     // how far the last cuts have run back along the border
   Number above_;    // where it begins
   Number deepest_;  // of the infeeds
@@ -384,6 +424,8 @@ StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
     if (piece.begins && is_behind_traverse && conditions.may_be_over(piece.from)) {
       const std::string_view lacks = conditions.lacks();
       if (lacks.empty()) answer.ends.push_back(i);
+      // SIE-LC75-13: the traverse to R101 is the last motion.
+      if (lacks.empty() && conditions.is_deep()) return answer;
       answer.broken_by = i;
       answer.broken = lacks;
     }

@@ -74,11 +74,11 @@ bool meets(const Stadium& stadium, const Point& at, std::int64_t half) {
 template <typename Area>
 Said said_of(const Cover& cover, const Area& area, const Point& at, std::int64_t half,
              std::span<const Stroke> path) {
-  if (!meets(area, at, half)) return Said::yes;
+  if (!meets(area, at, half) || (cover.cleared && cover.cleared->has(at, half))) return Said::yes;
   const std::int64_t diagonal = half * 3 / 2 + 1;
   std::vector<Stroke> candidates;
   candidates.reserve(path.size());
-  bool is_reached = false;
+  bool is_reached = cover.cleared && cover.cleared->has(at, 0);
   for (const Stroke& stroke : path) {
     if (!is_within(at, stroke, cover.reach + cover.slack + diagonal)) continue;
     if (is_within(at, stroke, cover.reach - cover.slack - diagonal)) return Said::yes;

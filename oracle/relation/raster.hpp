@@ -60,8 +60,9 @@ enum class Said : std::uint8_t { yes, no, near };
 struct Cover {
   std::span<const Stroke> path;
   std::int64_t reach = 0;
-  std::int64_t slack = 0;   // by which the strokes may be off
-  std::int64_t raster = 1;  // half of the smallest square
+  std::int64_t slack = 0;           // by which the strokes may be off
+  std::int64_t raster = 1;          // half of the smallest square
+  std::optional<Box> cleared = {};  // what is reached without a stroke
   Said of(const Region& region) const;
   Said of(const Stadium& stadium) const;
 };

@@ -26,6 +26,9 @@ std::optional<std::size_t> Correspondence::end_of_small_run(SubjectSide& side, s
     if (!got.is_motion() || !is_near(got.from, place, tau) || !is_near(got.to, place, tau)) {
       return std::nullopt;
     }
+    if (manner_.only_rounded && std::ranges::count(manner_.turned, got.record) > 0) {
+      return std::nullopt;
+    }
     if (!goes_on(got, side.at(j + 1))) return j + 1;
   }
 }
@@ -144,6 +147,14 @@ std::shared_ptr<ReferenceSide> Correspondence::another_reference(const Place& pl
   return another;
 }
 
+// R3: a dwell that is none when it is rounded need not come.
+void Correspondence::leave_out_dwell(const Place& place) {
+  const Record& due = reference(place).at(place.i).source();
+  if (due.kind != RecordKind::dwell) return;
+  if (!agree(due.seconds, 0, tolerances_.resolution, tolerances_)) return;
+  reach_corner({place.pair, place.i + 1, place.j, place.m});
+}
+
 // R5.
 void Correspondence::match_stop(const Place& place) {
   const Event& want = reference(place).at(place.i);
@@ -186,11 +197,13 @@ void Correspondence::rename(const Place& place) {
 }
 
 // R8. What decides a step makes another side of the reference, equal up to it.
-void Correspondence::settle(const Place& place, std::vector<Record> path, const Place& next) {
+void Correspondence::settle(const Place& place, std::vector<Record> path, const Place& next,
+                            bool is_unfit) {
   Settled settled = reference(place).settled();
   settled.insert_or_assign(reference(place).item_of(place.i), std::move(path));
   Pair pair = pairs_[place.pair];
   pair.reference = another_reference(place, std::move(settled));
+  pair.is_unfit = pair.is_unfit || is_unfit;
   pairs_.push_back(std::move(pair));
   reach_corner({pairs_.size() - 1, next.i, next.j, next.m});
 }
@@ -200,7 +213,7 @@ void Correspondence::take_free_step(const Place& place) {
   SubjectSide& side = subject(place);
   if (const auto* pocket = std::get_if<reference::HelixPocket>(&*step)) {
     for (auto& path : paths_of(*pocket, side, place.j, tolerances_.tolerance)) {
-      settle(place, std::move(path), place);
+      settle(place, std::move(path), place, false);
     }
     return;
   }
@@ -208,26 +221,32 @@ void Correspondence::take_free_step(const Place& place) {
   const Followed followed{side, place.j, tolerances_,
                           Slack(tolerances_, manner_.bias == Bias::outer)};
   StepAnswer answer;
+  bool has_unfit = false;
   if (const auto* level = std::get_if<reference::PocketLevel>(&*step)) {
     answer = follow(*level, followed);
   } else if (const auto* pocket = std::get_if<reference::PocketMilling>(&*step)) {
     answer = follow(*pocket, followed);
   } else {
     const auto& thread = std::get<reference::ThreadMilling>(*step);
+    const std::size_t most = outcome_.records.size();
+    has_unfit = is_unfit(thread, followed, most);
     if (!thread.arc_path) answer = follow(thread, followed);
-    for (auto& path :
-         paths_of(thread, reference(place).at(place.i).from, outcome_.records.size())) {
-      settle(place, std::move(path), place);
+    for (auto& path : paths_of(thread, reference(place).at(place.i).from, followed, most)) {
+      settle(place, std::move(path), place, has_unfit);
     }
   }
   // One motion to where the subject left it stands for the step.
   for (const std::size_t end : answer.ends) {
+    const bool has_turned = std::ranges::any_of(manner_.turned, [&](std::size_t record) {
+      return record >= side.at(place.j).record && record < side.at(end).record;
+    });
+    if (manner_.only_rounded && has_turned) continue;
     Record way;
     way.kind = RecordKind::feed;
     way.block = reference(place).at(place.i).block;
     way.axes = reference::kEveryAxis;
     way.to = side.place(end);
-    settle(place, {way}, {place.pair, place.i + 1, end, place.m});
+    settle(place, {way}, {place.pair, place.i + 1, end, place.m}, has_unfit);
   }
   if (!answer.broken.empty() && side.at(answer.broken_by).record >= broken_record_) {
     broken_record_ = side.at(answer.broken_by).record;

@@ -67,20 +67,32 @@ class ThreadPasses : private ThreadSite {
     enter(number, begin);
   }
 
+  // What has come of an entry.
+  struct Entry {
+    explicit Entry(ThreadPasses& passes) : arcs(passes) {}
+    Arcs arcs;
+    std::vector<Offset> chords;  // places of the straight cuts before the infeed
+    bool has_arc = false;
+    bool goes_in = false;
+    Offset from;  // of the infeed
+  };
+  bool is_round(const Entry& entry) const {
+    return entry.chords.empty() ? entry.has_arc : are_chords(entry.chords);
+  }
+
   // Arcs of one sense at the R plane, and one straight cut to r_n.
   void enter(std::int64_t number, std::size_t begin) {
     const Number radius = radius_of_pass(number);
     const Position start = subject_.at(begin).from;
     const Number standing = rational_near(sqrt(offset_of(start).square()));
     const Number widest = max(start_ + run_out_, standing) + rational_near(thread_.tool_radius) * 2;
-    bool has_turned = is_on(offset_of(start), start_, slack_.round(0));
-    bool goes_in = false;
-    Arcs arcs;
-    Offset from;
+    Entry entry(*this);
+    entry.has_arc = is_on(offset_of(start), start_, slack_.round(0));
     for (std::size_t i = begin;; ++i) {
       i = behind_small(i);
       const Event& piece = subject_.at(i);
-      const bool may_go_down = has_turned && (goes_in || is_small_infeed(number)) && is_end(i) &&
+      const bool is_entered = entry.goes_in || (is_small_infeed(number) && is_round(entry));
+      const bool may_go_down = is_entered && is_end(i) &&
                                is_on(offset_of(piece.from), radius, slack_.round(piece.width));
       if (may_go_down) helix(number, i);
       if (!piece.is_motion()) return breaks(i, "A pass is missing.");
@@ -91,29 +103,53 @@ class ThreadPasses : private ThreadSite {
       if (broken.empty() && free_ > 0 && is_beyond(piece, widest)) {
         broken = "The entry goes away from the work.";
       }
+      if (broken.empty()) {
+        broken = is_round_piece(entry, i, radius) ? go_round(entry, piece, number)
+                                                  : go_in(entry, piece, number);
+      }
       if (!broken.empty()) return breaks(i, broken);
-      if (!goes_in && may_be_round(piece) &&
-          !(is_straight(piece) && has_turned && is_infeed(i, radius))) {
-        // A bolt is entered from above its middle.
-        if (free_ < 0 && is_deeper(piece, radius_of_pass(number - 1))) {
-          return breaks(i, "The entry goes through the wall of the bore.");
-        }
-        if (broken = arcs.take(sense_of(piece, axes_), way_of_piece(piece)); !broken.empty())
-          return breaks(i, broken);
-        has_turned = true;
-        continue;
-      }
-      if (!has_turned) return breaks(i, "The entry has no arc.");
-      if (!goes_in) from = offset_of(piece.from);
-      goes_in = true;
-      if (is_deeper(from, from, radius_of_pass(number - 1), slack_.round(piece.width))) {
-        return breaks(i, "The entry ends in the material.");
-      }
-      if (is_deeper(piece, radius)) return breaks(i, "The infeed is deeper than its pass.");
-      if (!is_straight(piece) || turns_aside(from, offset_of(piece.from), offset_of(piece.to))) {
-        return breaks(i, "The infeed is not one straight cut.");
-      }
     }
+  }
+  bool is_round_piece(const Entry& entry, std::size_t i, const Number& radius) {
+    const Event& piece = subject_.at(i);
+    const bool has_turned = entry.has_arc || !entry.chords.empty();
+    return !entry.goes_in && may_be_round(piece) &&
+           !(is_straight(piece) && has_turned && is_infeed(i, radius));
+  }
+  Step go_round(Entry& entry, const Event& piece, std::int64_t number) {
+    // A bolt is entered from above its middle.
+    if (free_ < 0 && is_deeper(piece, radius_of_pass(number - 1))) {
+      return "The entry goes through the wall of the bore.";
+    }
+    if (is_straight(piece)) {
+      if (entry.chords.empty()) entry.chords.push_back(offset_of(piece.from));
+      entry.chords.push_back(offset_of(piece.to));
+      return {};
+    }
+    if (!entry.chords.empty() && !is_round(entry)) return "The entry has no arc.";
+    entry.chords.clear();
+    entry.has_arc = true;
+    return entry.arcs.take(piece);
+  }
+  Step go_in(Entry& entry, const Event& piece, std::int64_t number) {
+    if (!entry.goes_in) entry.from = offset_of(piece.from);
+    // Straight cuts in line with the infeed may be a part of it.
+    while (!entry.goes_in && !is_round(entry)) {
+      const std::size_t last = entry.chords.size();
+      if (last < 2 || turns_aside(entry.chords[last - 2], entry.from, offset_of(piece.to))) {
+        return "The entry has no arc.";
+      }
+      entry.from = entry.chords[last - 2];
+      entry.chords.resize(last == 2 ? 0 : last - 1);
+    }
+    entry.goes_in = true;
+    if (is_deeper(entry.from, entry.from, radius_of_pass(number - 1), slack_.round(piece.width))) {
+      return "The entry ends in the material.";
+    }
+    if (is_deeper(piece, radius_of_pass(number))) return "The infeed is deeper than its pass.";
+    const bool is_one_cut =
+        is_straight(piece) && !turns_aside(entry.from, offset_of(piece.from), offset_of(piece.to));
+    return is_one_cut ? Step() : Step("The infeed is not one straight cut.");
   }
   // An infeed of two tolerances may come in pieces of which each stays at one place (R3).
   bool is_small_infeed(std::int64_t number) const {
@@ -125,32 +161,16 @@ class ThreadPasses : private ThreadSite {
     const Event& piece = subject_.at(i);
     return is_on(offset_of(piece.to), radius, slack_.round(piece.width));
   }
-  // Arcs that all turn one way, no more than once: the way their directions go round, of which
-  // quarters are seen.
-  class Arcs {
-   public:
-    Step take(int sense, const Offset& way) {
-      if (sense * sense_ < 0) return "An arc turns the other way.";
-      if (sense_ == 0 && sense != 0) directions_ = Winding(sense, 0);
-      if (sense != 0) sense_ = sense;
-      if (sense_ != 0) directions_.take(way);
-      return directions_.quarters() > 4 ? "The step turns more than once." : "";
-    }
-
-   private:
-    int sense_ = 0;
-    Winding directions_{1, 0};
-  };
   // In pieces an arc keeps its centre. Nobody knows the centre of an arc that is as straight as a
   // line.
   bool is_of_one_arc(const Event& first, const Event& piece) const {
     if (first.record == piece.record || first.label->is_flat || piece.label->is_flat) return true;
-    const reference::Record& one = first.source();
-    const reference::Record& other = piece.source();
-    if (one.kind != RecordKind::arc || other.kind != RecordKind::arc) return false;
+    if (first.source().kind != RecordKind::arc || piece.source().kind != RecordKind::arc) {
+      return false;
+    }
     const Number off = tolerances_.tolerance * 17 / 4;
-    return abs(rational_near(one.centre[0] - other.centre[0])) <= off &&
-           abs(rational_near(one.centre[1] - other.centre[1])) <= off;
+    const Offset apart = centre_of(first) - centre_of(piece);
+    return max(abs(apart.p), abs(apart.q)) <= off;
   }
   static Number degrees_of(const Number& along, const Number& across) {
     if (along.sign() == 0 && across.sign() == 0) return 0;
@@ -186,6 +206,11 @@ class ThreadPasses : private ThreadSite {
       if (!is_on(to, radius, slack_.round(piece.width) + tolerances_.chord)) {
         return breaks(i, "The helix has another radius.");
       }
+      // R3: a granted chord.
+      const Number inner = radius - slack_.round(piece.width) - tolerances_.chord;
+      if (is_straight(piece) && inner.sign() > 0 && nearest_square(last, to) < inner * inner) {
+        return breaks(i, "A chord of the helix is longer than is granted.");
+      }
       const Number ahead = along(last, to);
       const Number onward = across(last, to) * thread_.sense;
       // Rounding may lead back by less than it is.
@@ -208,11 +233,11 @@ class ThreadPasses : private ThreadSite {
     const Offset from = offset_of(subject_.at(begin).from);
     const std::vector<Offset> ends = ends_of_run_out(from);
     const Number radius = radius_of_pass(number);
-    Number widest = radius;
-    for (const Offset& end : ends) widest = max(widest, rational_near(sqrt(end.square())));
-    Arcs arcs;
-    bool has_straight = false;
-    bool has_round = false;
+    const Number widest = farthest_of_run_out(radius);
+    const bool leads_in = is_unfit(number);
+    Arcs arcs(*this);
+    std::vector<Offset> places = {from};  // of straight cuts
+    bool needs_chords = false;            // for they are not one line that keeps off the pass
     Event first_round;
     for (std::size_t i = begin;; ++i) {
       i = behind_small(i);
@@ -223,30 +248,40 @@ class ThreadPasses : private ThreadSite {
           i > begin && is_end(i) && std::ranges::any_of(ends, [&](const Offset& end) {
             return abs(end.p - here.p) <= off && abs(end.q - here.q) <= off;
           });
+      constexpr Step kBent = "The run-out is neither straight nor one arc.";
+      if (is_over && needs_chords && !are_chords(places)) return breaks(i, kBent);
       if (is_over) back(number, i);
       if (!piece.is_motion()) return breaks(i, "The run-out is missing.");
       Step broken = words_of(piece, false);
-      if (broken.empty() && is_deeper(piece, radius))
+      const Offset to = offset_of(piece.to);
+      const bool is_deep = !leads_in && is_deeper(piece, radius);
+      const Number granted = is_straight(piece) ? tolerances_.chord : Number(0);
+      if (broken.empty() && is_deep &&
+          is_deeper(here, to, radius, slack_.round(piece.width) + granted)) {
         broken = "The run-out is deeper than its pass.";
+      }
       if (broken.empty() && free_ > 0 && is_beyond(piece, widest)) {
         broken = "The run-out goes away from the work.";
       }
       if (broken.empty()) broken = broken_height(piece);
       if (!broken.empty()) return breaks(i, broken);
-      if (!is_straight(piece) && !has_round) first_round = piece;
-      (is_straight(piece) ? has_straight : has_round) = true;
-      const bool is_bent = has_straight ? has_round || turns_aside(from, here, offset_of(piece.to))
-                                        : !is_of_one_arc(first_round, piece);
-      if (is_bent && (!has_straight || tolerances_.chord.sign() == 0))
-        return breaks(i, "The run-out is neither straight nor one arc.");
-      if (!is_straight(piece)) broken = arcs.take(sense_of(piece, axes_), way_of_piece(piece));
-      if (!broken.empty()) return breaks(i, broken);
+      if (is_straight(piece)) {
+        places.push_back(to);
+        needs_chords = needs_chords || is_deep || turns_aside(from, here, to);
+        const bool is_bent = needs_chords && tolerances_.chord.sign() == 0;
+        if (is_bent || first_round.is_motion()) return breaks(i, kBent);
+        continue;
+      }
+      if (!first_round.is_motion()) first_round = piece;
+      if (places.size() > 1 || !is_of_one_arc(first_round, piece)) return breaks(i, kBent);
+      if (broken = arcs.take(piece); !broken.empty()) return breaks(i, broken);
     }
   }
 
   // Along d alone, to the R plane, beside where the run-out ended.
   void back(std::int64_t number, std::size_t begin) {
     const Position foot = subject_.at(begin).from;
+    const bool leads_in = is_unfit(number);
     for (std::size_t i = begin;; ++i) {
       i = behind_small(i);
       const Event& piece = subject_.at(i);
@@ -259,6 +294,9 @@ class ThreadPasses : private ThreadSite {
       if (broken.empty() && is_aside) broken = "The way back leads aside.";
       const Number risen = (piece.to[axes_.d] - piece.from[axes_.d]) * up_;
       if (broken.empty() && risen < -off) broken = "The way back leads down.";
+      if (broken.empty() && !leads_in && is_deeper(piece, kept_of(number))) {
+        broken = "The way back goes through the part.";
+      }
       if (broken.empty() && (piece.to[axes_.d] - top_) * up_ > off)
         broken = "The way back goes beyond the R plane.";
       if (!broken.empty()) return breaks(i, broken);
@@ -269,6 +307,7 @@ class ThreadPasses : private ThreadSite {
   void away(std::int64_t number, std::size_t begin) {
     const Position foot = subject_.at(begin).from;
     const Number wall = max(start_, rational_near(sqrt(offset_of(foot).square())));
+    const bool leads_in = is_unfit(number);
     int direction = 0;
     for (std::size_t i = begin;; ++i) {
       i = behind_small(i);
@@ -291,7 +330,7 @@ class ThreadPasses : private ThreadSite {
       // In a bore the way leads along p, wherever along q the run-out ended, and not into the wall.
       const Number farthest = max(abs(foot[axes_.p] - middle_.p), abs(start_ - run_out_));
       const bool crosses =
-          free_ > 0 ? is_deeper(piece, kept_of(number))
+          free_ > 0 ? !leads_in && is_deeper(piece, kept_of(number))
                     : abs(piece.to[axes_.p] - middle_.p) > farthest + slack_.round(piece.width) ||
                           is_deeper(piece, wall);
       if (broken.empty() && crosses) broken = "The way to safety crosses the work.";

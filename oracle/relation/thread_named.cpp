@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/relation/free_step.hpp"
+#include "oracle/relation/thread_site.hpp"
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
 
@@ -50,7 +50,8 @@ std::vector<reference::Record> named_path(const ThreadMilling& thread, const Pos
 }  // namespace
 
 std::vector<std::vector<reference::Record>> paths_of(const ThreadMilling& thread,
-                                                     const Position& from, std::size_t most) {
+                                                     const Position& from, const Followed& way,
+                                                     std::size_t most) {
   std::vector<std::vector<reference::Record>> paths;
   if (thread.passes() > Number(static_cast<std::int64_t>(most))) return paths;
   for (const ThreadRunOut one :
@@ -58,10 +59,20 @@ std::vector<std::vector<reference::Record>> paths_of(const ThreadMilling& thread
     if (thread.runout != ThreadRunOut::open && thread.runout != one) continue;
     ThreadMilling named = thread;
     named.runout = one;
+    if (is_unfit(named, way, most) && !is_unfit(thread, way, most)) continue;
     for (const bool is_turned : {false, true}) paths.push_back(named_path(named, from, is_turned));
     if (thread.runout_length.sign() == 0) break;
   }
   return paths;
+}
+
+bool is_unfit(const ThreadMilling& thread, const Followed& way, std::size_t most) {
+  const ThreadSite site(thread, way);
+  const Number last = min(thread.passes(), static_cast<std::int64_t>(most));
+  for (std::int64_t number = 1; number <= last; ++number) {
+    if (site.is_unfit(number)) return true;
+  }
+  return false;
 }
 
 }  // namespace gonogo::relation

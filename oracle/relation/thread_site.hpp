@@ -11,7 +11,8 @@
 
 namespace gonogo::relation {
 
-struct ThreadSite {
+class ThreadSite {
+ public:
   ThreadSite(const reference::ThreadMilling& thread, const Followed& way);
 
   // What a piece has that no step allows; empty: nothing. Axes and words.
@@ -20,8 +21,10 @@ struct ThreadSite {
   Offset offset_of(const Position& place) const {
     return {place[axes_.p] - middle_.p, place[axes_.q] - middle_.q};
   }
-  Offset way_of_piece(const Event& piece) const {
-    return {piece.to[axes_.p] - piece.from[axes_.p], piece.to[axes_.q] - piece.from[axes_.q]};
+  // Of an arc.
+  Offset centre_of(const Event& piece) const {
+    const std::array<Number, 2>& centre = piece.source().centre;
+    return Offset{rational_near(centre[0]), rational_near(centre[1])} - middle_;
   }
   Number height_of(const Position& place) const { return (place[axes_.d] - bottom_) * up_; }
   bool is_at_top(const Position& place, const Number& width) const {
@@ -36,14 +39,23 @@ struct ThreadSite {
                  const Number& off) const;
   bool is_deeper(const Event& piece, const Number& radius) const;
   bool is_beyond(const Event& piece, const Number& radius) const;
-  // For pass 0: of the uncut part. What the way to safety keeps to.
+  // For pass 0: of the uncut part. What the ways behind the run-out keep to.
   Number radius_of_pass(std::int64_t number) const;
   Number kept_of(std::int64_t number) const;
+  // R9: whether the run-out of the reading leads into the material by itself; the polar one where
+  // it is open, because where that does the straight ones do.
+  bool is_unfit(std::int64_t number) const;
   bool is_safe(const Position& place) const;
   // Whether a line that began elsewhere goes on in another direction.
   bool turns_aside(const Offset& begin, const Offset& from, const Offset& to) const;
+  // R3: whether straight cuts from one place to the next are granted chords of one arc, of no more
+  // than a turn. Three of the places, far apart, give its circle.
+  bool are_chords(const std::vector<Offset>& places) const;
   // Where J and K lead from the end of a helix; of a bore also through its axis.
   std::vector<Offset> ends_of_run_out(const Offset& from) const;
+  // J-THR-05: how far from the axis of a bolt it leads: to its end, or beyond half a turn to the
+  // point across from where the arc begins that leaves the helix tangentially.
+  Number farthest_of_run_out(const Number& radius) const;
   // From the bottom up, never down; in the material no higher than the groove rises over K.
   std::string_view broken_height(const Event& piece) const;
 
@@ -59,7 +71,25 @@ struct ThreadSite {
   int free_;  // outward or inward
   Number start_;
   Number run_out_;
+  Number angle_;  // K within a turn
   Number lead_;
+
+ private:
+  bool are_chords_about(const Offset& centre, const std::vector<Offset>& places) const;
+};
+
+// Arcs that all turn one way, no more than once: the way their directions go round, of which
+// quarters are seen. No corner between two of them is of more than a quarter of a turn.
+class Arcs {
+ public:
+  explicit Arcs(const ThreadSite& site) : site_(site) {}
+  std::string_view take(const Event& piece);
+
+ private:
+  const ThreadSite& site_;
+  int sense_ = 0;
+  Offset arm_;  // from the centre of the last to its end
+  Winding directions_{1, 0};
 };
 
 }  // namespace gonogo::relation

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "oracle/relation/free_step.hpp"
 #include "reference/geometry/intersections.hpp"
 
@@ -50,6 +52,26 @@ void Winding::take(const Offset& to) {
     most_ = std::max(most_, quarters_);
   }
   last_ = to;
+}
+
+bool Rings::turns_again(const Offset& middle, const Offset& from, const Offset& to, int sense) {
+  constexpr int kMostQuarters = 40;  // of ten turns
+  const Number radius = rational_near(sqrt(to.square()));
+  const auto is_it = [&](const Ring& ring) {
+    const Offset apart = ring.middle - middle;
+    return (ring.sense < 0) == (sense < 0) && abs(ring.radius - radius) <= width_ &&
+           max(abs(apart.p), abs(apart.q)) <= width_;
+  };
+  auto ring = std::ranges::find_if(rings_, is_it);
+  if (ring == rings_.end()) {
+    const Winding winding(sense < 0 ? -1 : 1, blind_);
+    ring = rings_.insert(ring, Ring{middle, radius, sense, winding, from});
+  }
+  if ((ring->end - from).square().sign() != 0) ring->winding.leave();
+  ring->winding.take(from);
+  ring->winding.take(to);
+  ring->end = to;
+  return ring->winding.quarters() > kMostQuarters;
 }
 
 bool moves_another_axis(const Event& piece, const Position& start, const reference::PlaneAxes& axes,

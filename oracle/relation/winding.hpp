@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "oracle/relation/event.hpp"
 
@@ -39,6 +40,29 @@ class Winding {
   std::optional<Offset> last_;
   std::int64_t quarters_ = 0;
   std::int64_t most_ = 0;
+};
+
+// How often arcs go round each ring.
+class Rings {
+ public:
+  // Rings no farther apart than `width` are one; for `blind` see above.
+  Rings(Number width, Number blind) : width_(std::move(width)), blind_(std::move(blind)) {}
+  // A piece of an arc about a middle, its ends seen from there: whether its ring has been gone
+  // round more than ten times.
+  bool turns_again(const Offset& middle, const Offset& from, const Offset& to, int sense);
+  void clear() { rings_.clear(); }
+
+ private:
+  struct Ring {
+    Offset middle;
+    Number radius;
+    int sense;
+    Winding winding;
+    Offset end;  // of the last piece
+  };
+  Number width_;
+  Number blind_;
+  std::vector<Ring> rings_;
 };
 
 }  // namespace gonogo::relation

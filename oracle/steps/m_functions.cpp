@@ -38,6 +38,7 @@ Verdict m_verdict(VerdictKind kind, const Record* due, const Record* got, std::s
                   std::string message) {
   Verdict verdict;
   verdict.kind = kind;
+  verdict.rule = RelationRule::event;
   verdict.block = due != nullptr ? due->block : got->block;
   if (due != nullptr) verdict.clause = due->clause;
   if (due != nullptr) verdict.want = record_text(*due);

@@ -35,6 +35,14 @@ TEST(UnitMessage, OfAFeedInInches) {
   }
 }
 
+// G20 scales lengths (NGC-UNI-01), and F360 of A alone is 360 degrees a minute; scaled it is 360 *
+// 25.4 = 9144.
+TEST(UnitMessage, OfAFeedOfARotaryAxis) {
+  EXPECT_EQ(verdict_of("ngc", "rotary-feed-scaled", "rs274", "G20\nG1 A90 F360\nM2\n").message,
+            "The feed differs. It is 9144 degrees/min in place of 360 degrees/min. It is 127/5 "
+            "times what is due: degrees taken for inches?");
+}
+
 // G4 P300 of rs274 is 300 s; in ms it is 0.3 s. G04 P3 of the HNC is 0.003 s; in s it is 3 s.
 TEST(UnitMessage, OfADwell) {
   EXPECT_EQ(verdict_of("ngc", "dwell-in-milliseconds", "rs274", "G4 P300\nM2\n").message,

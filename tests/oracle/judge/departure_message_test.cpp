@@ -356,6 +356,18 @@ TEST(DepartureMessage, WhatIsNotCoveredHasItsBlock) {
   EXPECT_NE(verdict.message.find("G41"), std::string::npos) << verdict.message;
 }
 
+// What moves behind the code is not known, but what was due before it is.
+TEST(DepartureMessage, AnMFunctionBeforeWhatIsNotCoveredIsMissing) {
+  TraceText trace(1, 100);
+  trace.rapid({{'x', 5}});
+  trace.block(4, 100).feed({{'x', 1}});
+  const Verdict verdict = judge_trace("G0 X5\nM8\nG41\nG1 X1 F100\nM2\n", trace.text(),
+                                      {.m = true, .dialect = "rs274"});
+  EXPECT_EQ(decision(verdict.kind), Decision::no_go);
+  EXPECT_NE(verdict.want.find(R"("m":8)"), std::string::npos) << verdict.want;
+  EXPECT_EQ(verdict.message.find("All motions"), std::string::npos) << verdict.message;
+}
+
 constexpr std::string_view kDwelling = "G1 X10 F100\nG4 P2\nX20\nM2\n";
 
 TEST(DepartureMessage, ADwellBeforeAMotionThatIsMissingIsALaterOne) {

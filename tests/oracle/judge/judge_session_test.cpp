@@ -44,5 +44,27 @@ TEST(JudgeSession, AMotionThatDepartsCountsBeforeAnAlarmThatIsMissingOrLate) {
   }
 }
 
+// J-RUN-05: G0 X10 goes to a radius of 5, and the record says 6.
+TEST(JudgeSession, WhatCameBeforeASkipIsNotJudged) {
+  const auto profile = std::get<reference::Profile>(reference::default_profile("gsk988ta"));
+  Record wrong;
+  wrong.block = 1;
+  wrong.axes = {reference::Axis::x};
+  wrong.to[reference::Axis::x] = 6;
+  const std::vector<Record> records = {wrong};
+  const auto judged = [&](const RunEnd& end) {
+    return judge_outcome(profile, std::string_view("G0 X10\n"), Tolerances{}, records, end).verdict;
+  };
+  for (const auto kind : {RunEnd::Kind::skip, RunEnd::Kind::refused}) {
+    RunEnd end = RunEnd::of(kind, "no arcs");
+    end.feature = "arc";
+    const Verdict verdict = judged(end);
+    EXPECT_EQ(verdict.kind, VerdictKind::skip);
+    EXPECT_EQ(verdict.feature, "arc");
+    EXPECT_EQ(verdict.message, "no arcs");
+  }
+  EXPECT_EQ(judged(RunEnd::of(RunEnd::Kind::stopped, "")).kind, VerdictKind::fail_geometry);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle

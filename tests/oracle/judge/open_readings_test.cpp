@@ -41,6 +41,11 @@ SessionVerdict judged_at_once(const Profile& profile, const std::string& program
                               const Outcome& outcome, const Tolerances& tolerances) {
   const Assignments assignments = assignments_of(profile, program);
   SessionVerdict result;
+  // J-RUN-05: of a skip no reading is asked.
+  if (outcome.end.kind == RunEnd::Kind::skip || outcome.end.kind == RunEnd::Kind::refused) {
+    result.verdict.kind = VerdictKind::skip;
+    return result;
+  }
   std::set<ReadingKey> open(assignments.open.begin(), assignments.open.end());
   std::optional<SampledVerdict> best;
   std::vector<SampledVerdict> departures;
@@ -118,9 +123,10 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
       // known.
       if (decision(said.verdict.kind) != Decision::go) continue;
       // One that is asked for only where the reference's own path ends makes no difference on the
-      // subject's.
-      if (whole.verdict.kind == VerdictKind::pass_properties &&
-          said.explaining.size() < whole.explaining.size()) {
+      // subject's, nor one on the reference's that is asked for only where the subject's ends.
+      const bool asks_elsewhere = said.explaining.size() < whole.explaining.size() ||
+                                  !std::ranges::includes(whole.open, said.open);
+      if (whole.verdict.kind == VerdictKind::pass_properties && asks_elsewhere) {
         ++elsewhere;
         continue;
       }

@@ -208,6 +208,15 @@ TEST(PocketMilling, ARampIsNoInfeed) {
   EXPECT_EQ(told(judge(miller)), "fail.geometry SIE-LC75-04");
 }
 
+// From Z2, where R103 + R102 lies, to Z0.1 the tool is in the air.
+TEST(PocketMilling, ATraverseInTheAirWhereTheInfeedIsDueIsToldAsThat) {
+  Miller miller{Job()};
+  miller.approach().rapid_down(0.1).plunge(-3.75).zigzag().plunge(-7.5).zigzag().end();
+  const Verdict verdict = judge(miller);
+  EXPECT_EQ(told(verdict), "fail.region SIE-LC75-04");
+  EXPECT_EQ(verdict.message, "The tool traverses where the infeed is due.");
+}
+
 TEST(PocketMilling, ATraverseIntoThePartIsNoGo) {
   Miller miller{Job()};
   miller.approach().rapid_down(-3.75).zigzag().plunge(-7.5).zigzag().end();

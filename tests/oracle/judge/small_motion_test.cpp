@@ -85,10 +85,11 @@ TEST(SmallMotions, AnArcThatOnlyTheSubjectKeepsMayBeOfMoreThanHalfATurn) {
     EXPECT_EQ(decision(judge_trace(half + "G1 X3\n", small + on, judging).kind), Decision::go)
         << centre_y;
   }
-  // A whole circle of 20 mm from there closes within the tolerance, too.
+  // A whole circle of 20 mm from there closes within the tolerance, too: the arc of that block with
+  // another centre.
   const std::string big = R"({"k":"arc","b":3,"plane":"G17","c":{"x":"10","y":"0"},"rot":1,)"
                           R"("to":{"x":"0.001","y":"0"},"f":"100"})";
-  EXPECT_EQ(judge_trace(half, before + big, judging).kind, VerdictKind::fail_overrun);
+  EXPECT_EQ(judge_trace(half, before + big, judging).kind, VerdictKind::fail_geometry);
   // Where the reference has no arc, it is one too many.
   EXPECT_EQ(judge_trace("G17 G1 F100 Y-5\nY0\n", before + arc("-0.0000000005"), judging).kind,
             VerdictKind::fail_overrun);

@@ -227,6 +227,26 @@ TEST(ThreadEnvelope, AnEntryThatGoesToAndFroIsNoGo) {
   }
 }
 
+// J-THR-02. Two semicircles in a row meet in a point, where the tool turns back. A quarter about
+// p 1 ends along p; about p 1 + R the next begins upright to that, with (17 - R)^2 + 1 = R^2.
+TEST(ThreadEnvelope, AnEntryThatTurnsBackAtACornerIsNoGo) {
+  for (const bool external : {true, false}) {
+    const double start = external ? 18 : 4.5;
+    Pass pass;
+    pass.entry = [=](Mill m) {
+      m.arc(start / 4, 0, 1, start / 2, 0, 15);
+      m.arc(start * 3 / 4, 0, 1, start, 0, 15);
+    };
+    everywhere(external, pass, Decision::no_go, "turns back");
+  }
+  Pass upright;
+  upright.entry = [](Mill m) {
+    m.arc(1, 0, 1, 1, -1, 15);
+    m.arc(9.529411765, -1, 1, 18, 0, 15);
+  };
+  everywhere(true, upright, Decision::go);
+}
+
 // By nine tenths of the tolerance a piece.
 TEST(ThreadEnvelope, ARotaryAxisThatCreepsIsNoGo) {
   for (const Frame& frame : all_frames()) {

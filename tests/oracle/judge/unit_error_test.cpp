@@ -17,6 +17,16 @@ TEST(UnitError, IsAFactorBetweenUnits) {
             " It is half what is due: halved as a diameter is?");
 }
 
+// A turn has 360 degrees; a degree is no length, and has no diameter.
+TEST(UnitError, OfARotaryAxisIsOneOfDegrees) {
+  EXPECT_EQ(unit_error(Quantity::rotary_feed, 360, 9144, 0),
+            " It is 127/5 times what is due: degrees taken for inches?");
+  EXPECT_EQ(unit_error(Quantity::rotary_feed, 360, 1, 0),
+            " It is a 360th of what is due: turns put out for degrees?");
+  EXPECT_EQ(unit_error(Quantity::rotary_feed, 360, 720, 0), "");
+  EXPECT_EQ(unit_error(Quantity::rotary_feed, 1, 1000, 0), "");
+}
+
 TEST(UnitError, IsNoOtherFactor) {
   EXPECT_EQ(unit_error(Quantity::feed, 10, 601, 0), "");
   EXPECT_EQ(unit_error(Quantity::feed, 10, 30, 0), "");

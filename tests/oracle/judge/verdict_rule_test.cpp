@@ -38,6 +38,47 @@ TEST(VerdictRule, IsThatOfPlaceLabelOrTraverse) {
   EXPECT_EQ(rule(kind), RelationRule::label);
 }
 
+// R5: an M function is an event without length, and so is the end. R6: an alarm comes when all that
+// is due before it has come.
+TEST(VerdictRule, OfWhatIsMissingIsThatOfTheEventThatComesInstead) {
+  Judging judging;
+  judging.m = true;
+  TraceText no_m(1);
+  no_m.rapid({{'x', 65}, {'z', 5}}).block(3, 100).feed({{'z', -28}});
+  const Verdict missing = judge_trace("G00 X130 Z5\nM3\nG01 Z-28 F100\n", no_m.text(), judging);
+  EXPECT_EQ(missing.kind, VerdictKind::fail_geometry) << missing.message;
+  EXPECT_EQ(rule_of(missing), RelationRule::event);
+  TraceText ends(1);
+  ends.rapid({{'x', 65}, {'z', 5}});
+  const Verdict early = judge_trace(kTurningPrograms, ends.text());
+  EXPECT_EQ(early.kind, VerdictKind::fail_geometry) << early.message;
+  EXPECT_EQ(rule_of(early), RelationRule::event);
+  const Verdict alarm = judge_trace("G1 X1 F100\nG0 X1 X2\n",
+                                    R"({"k":"alarm","class":"duplicate-word","b":2})"
+                                    "\n",
+                                    of_dialect("rs274"));
+  EXPECT_EQ(alarm.kind, VerdictKind::fail_geometry) << alarm.message;
+  EXPECT_EQ(rule_of(alarm), RelationRule::alarm);
+}
+
+// R8: only where a helical pocket begins on its circle is open; R1 to R5 decide the rest. Centre
+// Z70 X35, R plane Y30, a semicircle to Z74 and five turns down to Y20; or another feed of the
+// entry.
+TEST(VerdictRule, OfAHelicalPocketIsThatOfItsMotions) {
+  const auto rule = [](double feed, double bottom) {
+    TraceText trace(1);
+    trace.rapid({{'x', 35}, {'y', 30}, {'z', 70}}).block(3, feed);
+    trace.arc("G18", {{'z', 72}, {'x', 35}}, -1, {{'z', 74}, {'x', 35}});
+    trace.arc("G18", {{'z', 70}, {'x', 35}}, -5, {{'z', 74}, {'x', 35}, {'y', bottom}});
+    trace.arc("G18", {{'z', 72}, {'x', 35}}, -1, {{'z', 70}, {'x', 35}}).rapid({{'y', 30}});
+    return name(rule_of(
+        judge_trace("G00 X70 Z70 Y30\nG18\nG112 X70 Z70 Y20 I8 L5 D4 F200\n", trace.text())));
+  };
+  EXPECT_EQ(rule(200, 20), "");
+  EXPECT_EQ(rule(200, 20.5), "R2");
+  EXPECT_EQ(rule(300, 20), "R3");
+}
+
 TEST(VerdictRule, OfARuleWithoutAnotherNameIsThatOfTheKind) {
   const auto rule = [](VerdictKind kind) {
     Verdict verdict;

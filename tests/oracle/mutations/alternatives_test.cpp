@@ -41,9 +41,26 @@ bool hangs_on_rounding(const Stroke& stroke, double tolerance) {
   });
 }
 
+// Whether two layers of a pocket in a row are no farther apart than the tolerance: docs/relation.md
+// has what the judge makes of them.
+bool has_thin_layers(const Specimen& specimen) {
+  const reference::PocketLevel* above = nullptr;
+  for (const reference::Item& item : specimen.items) {
+    const auto* const level = std::get_if<reference::PocketLevel>(&item);
+    if (level == nullptr) continue;
+    const bool is_of_pocket = above != nullptr && above->block == level->block;
+    if (is_of_pocket && abs(above->depth - level->depth) <= specimen.tolerances.tolerance) {
+      return true;
+    }
+    above = level;
+  }
+  return false;
+}
+
 // J-PROP-07: what no alternative is held against.
 bool is_outside(const Attempt& attempt) {
   const double tolerance = value_of(attempt.tolerances.tolerance);
+  if (has_thin_layers(attempt.specimen)) return true;
   const std::vector<Stroke> strokes = attempt.specimen.strokes(attempt.specimen.right);
   return std::ranges::any_of(strokes, [&](const Stroke& stroke) {
     const bool is_far = std::ranges::any_of(std::array<std::size_t, 3>{0, 1, 2}, [&](auto axis) {

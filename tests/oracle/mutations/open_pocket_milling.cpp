@@ -215,14 +215,16 @@ class OpenPocketMilling : public OpenPart {
     return lowest - to > infeed_ + margin.place ? "an infeed above R121 (SIE-LC75-05)" : "";
   }
 
-  // A motion that lies on the border, seen from the middle the wrong way round. A border that is
-  // a line or a point no motion has a direction.
+  // A motion that lies on the border, seen from the middle the wrong way round, for more than a
+  // quarter of the tool's radius or of half the width. On a border that is a line or a point no
+  // motion has a direction.
   bool runs_against(const FlatMotion& cut, const Margin& margin) const {
     const double width = 64 * margin.arc;
     if (std::min(half_length_, half_width_) <= width) return false;
     const double length =
         cut.is_round ? std::abs(cut.sweep) * cut.radius : distance(cut.from, cut.to);
-    if (length <= width) return false;
+    const double quarter = std::min({tool_, half_length_, half_width_}) / 4;
+    if (length <= quarter + width) return false;
     // At places that no number of turns makes one.
     for (const double part : {0.0, 0.137, 0.311, 0.5, 0.733, 0.917, 1.0}) {
       if (std::abs(outside(cut.at(part))) > margin.arc) return false;

@@ -45,7 +45,7 @@ TEST(BorderSense, EverySideHasItsDirection) {
 TEST(BorderSense, TheDirectionIsThatOfTheSideNotOfTheRayFromTheCentre) {
   EXPECT_TRUE(is_go(with_line({21, mm("-14.2495")}, {22, mm("-14.25")})));
   EXPECT_TRUE(is_go(with_line({21, mm("-14.25")}, {22, mm("-14.2495")})));
-  EXPECT_TRUE(breaks(Rule::sense, with_line({22, mm("-14.2495")}, {21, mm("-14.25")})));
+  EXPECT_TRUE(breaks(Rule::sense, with_line({22, mm("-14.2495")}, {20, mm("-14.25")})));
 }
 
 TEST(BorderSense, WithinTheToleranceIsAlongBeyondItIsNot) {
@@ -64,9 +64,46 @@ TEST(BorderSense, AChordThatLeavesTheBorderIsNotAlong) {
   EXPECT_TRUE(is_go(with_line({mm("24.25"), -12}, {22, mm("-14.25")})));
 }
 
-TEST(BorderSense, AMotionOfAboutTheToleranceHasNoDirection) {
-  EXPECT_TRUE(is_go(with_line({10, mm("-14.25")}, {mm("9.996"), mm("-14.25")})));
-  EXPECT_TRUE(breaks(Rule::sense, with_line({10, mm("-14.25")}, {mm("9.99"), mm("-14.25")})));
+// J-PKT-06: 1.25, a quarter of the tool's radius, and the tolerance of 0.001.
+TEST(BorderSense, TheBorderLeadsBackByAQuarterOfTheToolsRadiusAtMost) {
+  EXPECT_TRUE(is_go(with_line({10, mm("-14.25")}, {mm("8.75"), mm("-14.25")})));
+  EXPECT_TRUE(is_go(with_line({10, mm("-14.25")}, {mm("8.7495"), mm("-14.25")})));
+  EXPECT_TRUE(breaks(Rule::sense, with_line({10, mm("-14.25")}, {mm("8.7485"), mm("-14.25")})));
+}
+
+// Back by 1 in one line or in three, forth by 0.5, and back by 0.7 or 0.8 once more.
+TEST(BorderSense, WhatLeadsForthAgainIsNotBack) {
+  for (const bool is_split : {false, true}) {
+    for (const auto& [end, goes] : {std::pair("8.8", true), std::pair("8.7", false)}) {
+      Pocket job = with_line({0, mm("-14.25")}, {10, mm("-14.25")});
+      if (is_split) {
+        line_to(job, {mm("9.7"), mm("-14.25")});
+        line_to(job, {mm("9.4"), mm("-14.25")});
+      }
+      line_to(job, {9, mm("-14.25")});
+      line_to(job, {mm("9.5"), mm("-14.25")});
+      line_to(job, {mm(end), mm("-14.25")});
+      EXPECT_TRUE(goes ? is_go(job) : breaks(Rule::sense, job)) << end;
+    }
+  }
+}
+
+// On the border of radius 15 of a round pocket: (0.96, 0.28) and (0.9984, 0.0566) lie 0.2838 and
+// 0.0566 rad from (1, 0), which is 4.26 and 0.85 along it.
+TEST(BorderSense, OnARoundBorderTheWayAlongTheArcCounts) {
+  const auto back_from = [](const PlanePoint& from) {
+    Pocket job = pocket("40", "40", "20", "5", "0");
+    contour_parallel(job, 4);
+    line_to(job, {0, 0});
+    line_to(job, from);
+    arc_to(job, {15, 0}, {}, -1);
+    return job;
+  };
+  EXPECT_TRUE(breaks(Rule::sense, back_from({mm("14.4"), mm("4.2")})));
+  // 0.0566 = 2 * 0.0283 / (1 + 0.0283^2), so that both places lie on the circle.
+  const Number t = mm("0.0283");
+  const Number part = Number(15) / (Number(1) + t * t);
+  EXPECT_TRUE(is_go(back_from({part * (Number(1) - t * t), part * Number(2) * t})));
 }
 
 TEST(BorderSense, ACornerArcTheWrongWayBreaksSense) {

@@ -61,9 +61,7 @@ std::optional<Number> number_of(const std::string& text) {
   return Number::parse(text);
 }
 
-}  // namespace
-
-Answer decide(std::string_view program, std::string_view trace, const Declared& declared) {
+reference::Profile profile_of(const Declared& declared) {
   reference::Profile profile =
       std::get<reference::Profile>(reference::default_profile(declared.dialect));
   if (!declared.open) profile.readings = profile.readings.shown();
@@ -76,6 +74,10 @@ Answer decide(std::string_view program, std::string_view trace, const Declared& 
   }
   if (!declared.tool.empty()) profile.tools["1"].radius = *number_of(declared.tool);
   if (declared.at_load) profile.alarm_timing = reference::AlarmTiming::program;
+  return profile;
+}
+
+oracle::Tolerances tolerances_of(const Declared& declared, const reference::Profile& profile) {
   oracle::SubjectInfo subject;
   if (declared.blocks) subject.features.insert("blocks");
   if (declared.m) subject.features.insert("m");
@@ -84,10 +86,26 @@ Answer decide(std::string_view program, std::string_view trace, const Declared& 
   oracle::Grants grants;
   grants.chord = number_of(declared.chord);
   grants.strict = declared.strict;
-  Tolerances tolerances = tolerances_of(make_tolerances(subject, profile, grants), profile);
+  oracle::Tolerances tolerances = make_tolerances(subject, profile, grants);
+  tolerances.exact = declared.exact;
+  return tolerances;
+}
+
+}  // namespace
+
+Answer decide(std::string_view program, std::string_view trace, const Declared& declared) {
+  const reference::Profile profile = profile_of(declared);
+  Tolerances tolerances = tolerances_of(tolerances_of(declared, profile), profile);
   tolerances.exact = declared.exact;
   const Trace read = trace_of(trace);
   return decide(profile, program, tolerances, read.outcome());
+}
+
+oracle::Verdict judge(std::string_view program, std::string_view trace, const Declared& declared) {
+  const reference::Profile profile = profile_of(declared);
+  const Trace read = trace_of(trace);
+  return judge_outcome(profile, program, tolerances_of(declared, profile), read.records, read.end)
+      .verdict;
 }
 
 }  // namespace gonogo::relation

@@ -41,5 +41,7 @@ struct Declared {
   bool at_load = false;  // alarm_timing = program
 };
 Answer decide(std::string_view program, std::string_view trace, const Declared& declared = {});
+// The judge's verdict of the same.
+oracle::Verdict judge(std::string_view program, std::string_view trace, const Declared& declared);
 
 }  // namespace gonogo::relation

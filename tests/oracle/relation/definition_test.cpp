@@ -318,7 +318,8 @@ TEST(R5Events, ComeOneToOneInOrderAtTheirPlaces) {
   EXPECT_EQ(decided(program, trace("x")), "fail.order R5");
   EXPECT_EQ(decided(program, trace("ddx")), "fail.order R5");
   EXPECT_EQ(decided(program, trace("xd")), "fail.order R5");
-  EXPECT_EQ(decided(program, trace("dx", "2")), "fail.order R5");
+  // R3: a number of the label.
+  EXPECT_EQ(decided(program, trace("dx", "2")), "fail.feed R3");
   EXPECT_EQ(decided("G21 G90\nG4 P0\nM2\n", R"({"k":"m","b":3,"m":2})"), kGo);
 }
 
@@ -504,8 +505,13 @@ TEST(R6Alarm, ComesInItsBlockByItsClassWhenAllBeforeHasCome) {
   EXPECT_EQ(decided(kFaulty, faulty(R"({"k":"alarm","b":3,"class":"syntax"})")),
             "fail.alarm-class R6");
   EXPECT_EQ(decided(kFaulty, faulty(R"({"k":"alarm","b":2,"class":"value-sign"})")),
-            "fail.alarm-class R6");
+            "fail.alarm-spurious R6");
+  EXPECT_EQ(decided(kFaulty, faulty(R"({"k":"alarm","b":4,"class":"value-sign"})")),
+            "fail.alarm-late R6");
   EXPECT_EQ(decided(kFaulty, faulty("")), "fail.alarm-missing R6");
+  // To run through it is no late alarm.
+  EXPECT_EQ(decided(kFaulty, faulty(R"({"k":"feed","b":3,"to":{"y":"10"},"f":"100"})")),
+            "fail.alarm-missing R6");
   EXPECT_EQ(
       decided(kFaulty,
               faulty(kSign, "{\"k\":\"feed\",\"b\":3,\"to\":{\"y\":\"10\"},\"f\":\"100\"}\n")),

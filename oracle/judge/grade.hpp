@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How well a motion that passes is computed: exact, correctly rounded, or within the tolerance.
+#pragma once
+
+#include "oracle/judge/alignment.hpp"
+
+namespace gonogo::oracle {
+
+// J-CMP-09: of a motion that completes one of the reference's.
+struct Grade {
+  bool exact = true;    // end and centre are exact
+  bool rounded = true;  // ... or correctly rounded
+};
+// `census` takes the coordinates that `want` tells (tells_end), and those that are not exact where
+// `motion` alone moves; null: none does.
+Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& tolerances,
+               RoundingCensus* census = nullptr);
+// R3: whether a coordinate that is not exact is the correctly rounded one.
+bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& tolerances);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What ProgramJudge's files on the subject's end share: program_end.cpp and program_alarm.cpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "oracle/judge/program_judge.hpp"
+#include "oracle/steps/reference_steps.hpp"
+
+namespace gonogo::oracle {
+
+struct ProgramJudge::Ending {
+  Hypothesis from;
+  std::optional<Verdict> verdict = {};  // nothing: GO
+  // What of the M functions goes before it, of so many that are due by then: all but those of the
+  // block that alarms; but those behind it, too, which are not judged (R7).
+  enum class MFunctions { none, before_alarm, of_earlier } judges = MFunctions::none;
+  std::size_t m_functions = 0;
+  std::uint64_t block = 0;  // that alarms
+  bool at_load = false;
+  std::size_t item = 0;  // of the reference, where it departs; 0: that of the hypothesis
+
+  // The less the better: a pass by its grade, a gap, an advice, a departure (R9).
+  int rank() const {
+    if (!verdict && !from.instead) return from.exact ? 0 : from.rounded ? 1 : 2;
+    switch (decision((verdict ? *verdict : *from.instead).kind)) {
+      case Decision::undecided:
+        return 3;
+      case Decision::neither:
+        return 4;
+      default:
+        return 5;
+    }
+  }
+};
+
+// The answer to an alarm of the reference.
+Verdict alarm_verdict(VerdictKind kind, const reference::AlarmReport& report, std::string message);
+
+// R7: to run on is the other answer to each rule that is an alarm. The reference ends there.
+Verdict ran_on(Verdict missing, const Tolerances& tolerances);
+
+bool is_record_end(const ReferenceStep& step);
+
+}  // namespace gonogo::oracle
