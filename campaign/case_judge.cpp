@@ -28,6 +28,8 @@ struct CaseJudge::Attempt {
   std::vector<Record> records;  // at most kKeptRecords
   bool whole = true;            // all of them were kept
   std::string mapped;           // the entry of the alarm map that was met
+  // Where the campaign keeps traces: that of this run, so that line and trace are of one run.
+  std::unique_ptr<TraceFile> trace;
 
   // Whether the subject answered, rather than hung or broke down.
   bool answers() const { return !is_breakdown(session.verdict.kind); }
@@ -111,16 +113,13 @@ void CaseJudge::interpret_skip(const Case& test, Attempt& attempt) const {
   }
 }
 
-CaseJudge::Attempt CaseJudge::run_kept(Subject& subject, const Case& test,
-                                       const Tolerances& tolerances) const {
-  if (options_.traces.empty()) return run(subject, test, tolerances);
-  TraceFile trace(options_.traces, test.id);
-  return run(subject, test, tolerances, &trace);
-}
-
 CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test, const Tolerances& tolerances,
-                                  TraceFile* keep) const {
+                                  int number) const {
   Attempt attempt;
+  if (!options_.traces.empty()) {
+    attempt.trace = std::make_unique<TraceFile>(options_.traces, test.id, number);
+  }
+  TraceFile* const keep = attempt.trace.get();
   try {
     JudgeSession session(test.profile, test.program, tolerances);
     attempt.end = subject.run(test.id, test.program, [&](const Record& record) {
@@ -193,8 +192,7 @@ bool CaseJudge::settle_flaky(const Case& test, const Tolerances& tolerances, Att
   if (known == nullptr) return false;
   int failures = 1;
   for (int runs = 1; runs < known->flaky->runs; ++runs) {
-    Attempt again = run(fresh_subject(test.profile), test, tolerances);
-    ++result.attempts;
+    Attempt again = run(fresh_subject(test.profile), test, tolerances, ++result.attempts);
     if (decision(again.session.verdict.kind) != Decision::no_go) continue;
     if (!known->is(again.session.verdict)) {
       attempt = std::move(again);
@@ -218,8 +216,7 @@ bool CaseJudge::settle_flaky(const Case& test, const Tolerances& tolerances, Att
 void CaseJudge::confirm(const Case& test, const Tolerances& tolerances, Attempt& attempt,
                         CaseResult& result) {
   if (!subject_->keeps_state() || attempt.end.given_up) return;
-  Attempt again = run(fresh_subject(test.profile), test, tolerances);
-  ++result.attempts;
+  Attempt again = run(fresh_subject(test.profile), test, tolerances, ++result.attempts);
   if (again.end.given_up || settle_memory(attempt, again)) return;
   if (again.session.verdict.kind == VerdictKind::timeout) {
     // No answer is no other answer.
@@ -248,8 +245,7 @@ void CaseJudge::confirm_timeout(const Case& test, const Tolerances& tolerances, 
   const auto limit = std::chrono::microseconds(options_.limits.run).count();
   int in_time = 0;
   for (int i = 0; i < kTries; ++i) {
-    Attempt again = run_kept(fresh_subject(test.profile), test, tolerances);
-    ++result.attempts;
+    Attempt again = run(fresh_subject(test.profile), test, tolerances, ++result.attempts);
     if (again.session.verdict.kind == VerdictKind::timeout) continue;
     if (!again.answers()) {
       attempt = std::move(again);
@@ -333,7 +329,7 @@ CaseResult CaseJudge::judge(const Case& test) {
     return result;
   }
   const Tolerances tolerances = make_tolerances(subject_->info(), test.profile, options_.grants);
-  Attempt attempt = run_kept(*subject_, test, tolerances);
+  Attempt attempt = run(*subject_, test, tolerances, result.attempts);
   if (result.expected_gap && attempt.session.verdict.kind == VerdictKind::timeout) {
     // The time of a program that the corpus does not cover says nothing (J-RUN-08).
     attempt.session.verdict =
@@ -349,13 +345,14 @@ CaseResult CaseJudge::judge(const Case& test) {
   if (decision(kind) == Decision::no_go && !is_settled && !is_confirmed) {
     confirm(test, tolerances, attempt, result);
   }
+  if (attempt.trace) attempt.trace->keep();
   result.verdict = attempt.session.verdict;
   result.microseconds = attempt.end.microseconds;
   result.mapped = attempt.mapped;
   if (decision(result.verdict.kind) == Decision::go) {
     result.readings = open_readings(attempt.session);
-    // The readings of the run may leave it a failure.
-    if (result.readings) keep_path(test, attempt, result);
+    // The readings of the run may leave it a failure; what is known to fail must not pass.
+    if (result.readings || known_failures_.must_fail(test.id)) keep_path(test, attempt, result);
   } else if (result.verdict.kind != VerdictKind::skip) {
     keep_evidence(test, tolerances, attempt, result);
   }

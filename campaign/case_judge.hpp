@@ -32,11 +32,8 @@ class CaseJudge {
  private:
   struct Attempt;
   std::optional<std::string> undeclared_feature(const Case& test) const;
-  // `keep`: where what the subject sends goes besides; null: nowhere. Throws ResultsUnwritable.
-  Attempt run(Subject& subject, const Case& test, const Tolerances& tolerances,
-              TraceFile* keep = nullptr) const;
-  // The run whose outcome counts, kept as a trace when the campaign keeps them.
-  Attempt run_kept(Subject& subject, const Case& test, const Tolerances& tolerances) const;
+  // `number`: of the runs of this case, from 1. Throws ResultsUnwritable.
+  Attempt run(Subject& subject, const Case& test, const Tolerances& tolerances, int number) const;
   bool is_claimed(const Case& test, const RunEnd& end) const;
   void interpret_skip(const Case& test, Attempt& attempt) const;
   static bool settle_memory(Attempt& attempt, Attempt& again);

@@ -135,6 +135,7 @@ void append_departure(const Verdict& verdict, LineText& line) {
   }
   append_basis(verdict, line);
   if (!verdict.reading.empty()) line.text("reading", verdict.reading);
+  if (!verdict.told_under.empty()) line.text("told_under", verdict.told_under);
   if (verdict.block != 0) line.number("b", verdict.block);
   if (verdict.record) line.number("record", *verdict.record);
   if (!verdict.word.empty()) line.text("word", verdict.word.text());

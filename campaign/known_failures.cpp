@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "oracle/records/run_scope.hpp"
 #include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
@@ -66,6 +67,11 @@ void KnownFailures::apply(CaseResult& result) const {
   }
 }
 
+bool KnownFailures::must_fail(const std::string& id) const {
+  return std::ranges::any_of(
+      entries_, [&](const KnownFailure& entry) { return !entry.flaky && entry.covers(id); });
+}
+
 const KnownFailure* KnownFailures::flaky_entry(const std::string& id,
                                                const Verdict& verdict) const {
   const auto found = std::ranges::find_if(entries_, [&](const KnownFailure& entry) {
@@ -102,7 +108,7 @@ const AlarmMap::Entry* AlarmMap::name_class(RunEnd& end) const {
 }
 
 std::string stale_alarm(const std::string& native) {
-  return fmt::format("alarm map {}: no case met it", visible(native));
+  return fmt::format("{}{}: no case met it", kStaleAlarm, visible(native));
 }
 
 std::vector<std::string> AlarmMap::natives() const {

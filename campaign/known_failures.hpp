@@ -83,6 +83,8 @@ class KnownFailures {
   void note_case(const std::string& id);
   // May be called by several threads at once, also while cases are noted.
   void apply(CaseResult& result) const;
+  // Whether a pass of the case is none: an entry that is not flaky covers it.
+  bool must_fail(const std::string& id) const;
   // The entry by which the case fails so now and then; null: there is none.
   const KnownFailure* flaky_entry(const std::string& id, const Verdict& verdict) const;
   // Entries that are of no case of the corpus, or of too many, as sentences.

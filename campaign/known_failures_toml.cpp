@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "campaign/known_failures.hpp"
 #include "oracle/records/record_fault.hpp"
@@ -51,6 +53,11 @@ std::vector<std::string> texts_of(const toml::table& table, std::string_view key
   return texts;
 }
 
+// One that matches everything, which nobody has looked at.
+bool is_of_wildcards(std::string_view glob) {
+  return glob.find_first_not_of("*?") == std::string_view::npos;
+}
+
 // "k of n".
 std::optional<Flaky> flaky_of(const toml::table& table) {
   const std::string text = text_of(table, "flaky", false);
@@ -87,7 +94,7 @@ KnownCause::Failure failure_of(const toml::table& table) {
   failure.verdict = *kind;
   failure.cases = texts_of(table, "cases");
   for (const std::string& glob : failure.cases) {
-    if (glob.find_first_not_of("*?") == std::string::npos) {
+    if (is_of_wildcards(glob)) {
       fail(table, fmt::format("`cases = \"{}\"` covers everything. Name the cases.", glob));
     }
   }
@@ -241,14 +248,22 @@ std::string classes_of(const toml::table& table, std::string_view native, const 
 
 std::variant<std::vector<AlarmMap::Entry>, FileFault> alarm_map_from_toml(std::string_view text) {
   return read_toml<std::vector<AlarmMap::Entry>>(text, [](const toml::table& document) {
-    std::vector<AlarmMap::Entry> entries;
+    // A table is in the order of its keys, and the first line of the file counts.
+    std::map<std::pair<std::size_t, std::size_t>, AlarmMap::Entry> by_place;
     for (const auto& [key, value] : document) {
       const toml::table* table = value.as_table();
       if (key.str() != "alarms" || table == nullptr) fail(value, "The file holds [alarms] only.");
       for (const auto& [native, node] : *table) {
-        entries.push_back({std::string(native.str()), classes_of(*table, native.str(), node)});
+        if (is_of_wildcards(native.str())) {
+          fail(node, fmt::format("\"{}\" is every alarm. Name the texts.", native.str()));
+        }
+        const auto place = native.source().begin;
+        by_place[{place.line, place.column}] = {std::string(native.str()),
+                                                classes_of(*table, native.str(), node)};
       }
     }
+    std::vector<AlarmMap::Entry> entries;
+    for (auto& [place, entry] : by_place) entries.push_back(std::move(entry));
     return entries;
   });
 }

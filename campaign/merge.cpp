@@ -218,10 +218,10 @@ MergeOutcome merge_results(const MergeOptions& options) {
                       number, all, shard->second.path, shard->second.cases));
     }
   }
-  if (!outcome.missing.empty() && !options.partial) return outcome;
   const auto run = shards.begin()->second.header.value("corpus", Json::object());
   outcome.has_corpus =
       options.corpus != nullptr && run.value("sha256", "") == options.corpus->sha256();
+  if (!outcome.missing.empty() && !options.partial) return outcome;
   if (outcome.has_corpus && outcome.missing.empty()) check_cases(*options.corpus, shards);
   Json header = shards.begin()->second.header;
   header["shard"] = "1/1";

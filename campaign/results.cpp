@@ -94,6 +94,8 @@ std::string header_line(const ResultsHeader& header) {
   line["strict"] = header.strict;
   if (!header.sandbox.empty()) line["sandbox"] = header.sandbox;
   if (!header.blend.empty()) line["blend"] = header.blend;
+  if (!header.feed_tolerance.empty()) line["feed_tolerance"] = header.feed_tolerance;
+  if (header.show_ids) line["show_ids"] = true;
   line["capped"] = capped_json(header);
   line["selection"] = selection_json(header);
   line["known_failures"] = text_or_null(header.known_failures_sha256);

@@ -37,9 +37,11 @@ struct ResultsHeader {
   std::string tolerance;                            // empty: as declared
   std::string chord;                                // empty: none
   std::string feed_resolution;                      // empty: as declared
-  std::string blend;    // mm; empty: corners of sampled positions are not cut
-  bool strict = false;  // advices are NO-GO
-  std::string sandbox;  // "bubblewrap", "none"; empty: the subject starts no process
+  std::string blend;           // mm; empty: corners of sampled positions are not cut
+  std::string feed_tolerance;  // of feeds from sampled positions, percent; empty: not given
+  bool show_ids = false;       // the subject is told the names of the cases
+  bool strict = false;         // advices are NO-GO
+  std::string sandbox;         // "bubblewrap", "none"; empty: the subject starts no process
   // By dialect: what the subject declares, but counts for less.
   std::vector<std::pair<std::string, Capped>> capped;
   std::vector<std::string> dialects;  // empty: all

@@ -64,6 +64,18 @@ void check_own(const std::string& path) {
                   path));
 }
 
+// The views beside results are of these: a run that cannot write its own leaves none of another.
+// A folder without the list of a report's programs is no report, and its files are somebody else's.
+void remove_views_of(const std::filesystem::path& results) {
+  const std::filesystem::path folder = results.has_parent_path() ? results.parent_path() : ".";
+  try {
+    if (results.filename() != kReportedResults) return;
+    if (std::filesystem::exists(folder / kListOfPrograms)) remove_views(folder);
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw ResultsUnwritable(error.what());
+  }
+}
+
 // A journal that ends within its header says nothing.
 bool has_header(const std::string& path) {
   std::ifstream file = open_regular(path);
@@ -72,6 +84,14 @@ bool has_header(const std::string& path) {
 }
 
 }  // namespace
+
+void remove_views(const std::filesystem::path& folder) {
+  for (const char* name :
+       {"index.html", "junit.xml", "results.sarif", "summary.md", "badge.json", "causes.json"}) {
+    // A device or a folder of that name is somebody else's.
+    if (std::filesystem::is_regular_file(folder / name)) std::filesystem::remove(folder / name);
+  }
+}
 
 // The file that replaces the results when it is complete.
 class ResultsWriter::Sorted {
@@ -101,6 +121,7 @@ class ResultsWriter::Sorted {
     if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0)
       fail_to_write(sorted_);
     if (std::fclose(file_.release()) != 0) fail_to_write(sorted_);
+    remove_views_of(path_);
     if (std::rename(sorted_.c_str(), path_.c_str()) != 0) fail_to_write(path_);
     is_whole_ = true;
     return hash_.hex();

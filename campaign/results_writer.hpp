@@ -5,6 +5,7 @@
 // reads it: what is decided is decided from the lines as they were added.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
@@ -17,6 +18,14 @@
 #include "corpus/io/id_set.hpp"
 
 namespace gonogo::oracle {
+
+// The name of results in the folder of a report.
+inline constexpr std::string_view kReportedResults = "results.jsonl";
+// In the folder of a report: the programs that it has written.
+inline constexpr std::string_view kListOfPrograms = "programs/.written";
+// Removes what a report of earlier results has left in its folder, so that nothing of it stands
+// beside others when a disk is full or the program is killed. Throws filesystem_error.
+void remove_views(const std::filesystem::path& folder);
 
 class ResultsWriter {
  public:
@@ -64,7 +73,8 @@ class ResultsWriter {
     FreshCounts fresh;
     bool is_complete = true;  // else there are cases to come, and the file has no footer
   };
-  // Sorts, reconciles the readings, fills in the footer and puts the file in place in one step.
+  // Sorts, reconciles the readings, fills in the footer and puts the file in place in one step; the
+  // views of the results that it replaces are removed before.
   // `visit` sees each case line as it is written. Throws ResultsUnwritable, and std::runtime_error
   // when a case is there twice.
   using Visit = std::function<void(const std::string& line, VerdictKind kind)>;

@@ -142,8 +142,9 @@ RunAnswer Tally::finish(const std::vector<std::string>& stale,
     answer.exit_code = 0;
     answer.decision = "GO";
   }
-  answer.head = answer.scope.head(answer.decision) + conditions.text();
-  answer.folded_head = answer.scope.head(answer.decision, kShownFeatures) + conditions.text();
+  const std::string granted = conditions.text();
+  answer.head = answer.scope.head(answer.decision, RunScope::kAll, stale) + granted;
+  answer.folded_head = answer.scope.head(answer.decision, kShownFeatures, stale) + granted;
   return answer;
 }
 

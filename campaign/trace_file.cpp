@@ -37,8 +37,9 @@ std::string subject_json(const SubjectInfo& subject) {
 
 }  // namespace
 
-TraceFile::TraceFile(const std::string& folder, std::string_view id)
-    : path_(fmt::format("{}/{}.jsonl", folder, id)), part_(path_ + ".part") {
+TraceFile::TraceFile(const std::string& folder, std::string_view id, int number)
+    : path_(fmt::format("{}/{}.jsonl", folder, id)),
+      part_(number == 1 ? path_ + ".part" : fmt::format("{}.{}.part", path_, number)) {
   ::unlink(path_.c_str());
   const int descriptor = create_anew(part_);
   file_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
@@ -62,12 +63,16 @@ void TraceFile::record(const reference::Record& record) {
 }
 
 void TraceFile::finish(const RunEnd& end) {
-  const bool has_outcome = end.kind == RunEnd::Kind::ok || end.kind == RunEnd::Kind::alarm ||
-                           end.kind == RunEnd::Kind::stopped;
+  const bool is_answer = end.kind == RunEnd::Kind::ok || end.kind == RunEnd::Kind::alarm ||
+                         end.kind == RunEnd::Kind::stopped;
   if (end.kind == RunEnd::Kind::alarm) put(alarm_text(end.alarm));
   if (error_ == 0 && std::fflush(file_.get()) != 0) error_ = errno;
   if (error_ != 0) fail_to_write(part_, error_);
-  if (!has_outcome || end.sampled != nullptr) return;
+  has_outcome_ = is_answer && end.sampled == nullptr;
+}
+
+void TraceFile::keep() {
+  if (!has_outcome_) return;
   if (std::rename(part_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
   file_.reset();
 }

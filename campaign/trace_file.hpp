@@ -12,21 +12,24 @@
 
 namespace gonogo::oracle {
 
-// One run of one case. Until the run has ended well the file is <id>.jsonl.part.
+// One run of one case. Until it is kept the file is <id>.jsonl.part, of a further run of the case
+// <id>.jsonl.2.part and so on.
 class TraceFile {
  public:
-  // Removes what an earlier run left of the case.
-  TraceFile(const std::string& folder, std::string_view id);
+  // Removes what an earlier campaign left of the case. `number`: of its runs, from 1.
+  TraceFile(const std::string& folder, std::string_view id, int number = 1);
   TraceFile(const TraceFile&) = delete;
   TraceFile& operator=(const TraceFile&) = delete;
   ~TraceFile();
 
   // Never throws: finish() reports a disk that is full.
   void record(const reference::Record& record);
-  // Keeps the file when the run had an outcome, be it one that was cut short because nothing could
-  // change the verdict any more; a crash, a timeout or a skip leaves none. Throws
-  // ResultsUnwritable.
+  // At the end of the run. Throws ResultsUnwritable.
   void finish(const RunEnd& end);
+  // For the run that counts: keeps the file when the run had an outcome, be it one that was cut
+  // short because nothing could change the verdict any more; a crash, a timeout or a skip leaves
+  // none. Throws ResultsUnwritable.
+  void keep();
 
  private:
   void put(const std::string& line);
@@ -35,6 +38,7 @@ class TraceFile {
   std::string part_;
   FileHandle file_;
   int error_ = 0;  // errno of the first write that failed
+  bool has_outcome_ = false;
 };
 
 // Makes the folder and subject.json in it. Throws ResultsUnwritable.

@@ -154,7 +154,8 @@ RunEnd CaptureSubject::run(std::string_view id, std::string_view, const RecordSi
   if (!path) {
     end.kind = RunEnd::Kind::skip;
     end.feature = "capture";
-    end.message = fmt::format("{} holds neither {}.jsonl nor {}.csv.", folder_.string(), id, id);
+    end.message =
+        fmt::format("{} holds neither a .jsonl nor a .csv of the case.", folder_.string());
     return end;
   }
   SampledTolerances sampled = sampled_;

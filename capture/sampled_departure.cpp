@@ -38,11 +38,12 @@ Verdict SampledRun::verdict_at(VerdictKind kind, const PathPiece& piece,
 
 Verdict SampledRun::feed_verdict(const PathPiece& piece, const FeedWatch::Fault& fault) const {
   const double programmed = piece.speed() * kSecondsAMinute;
+  const bool in_degrees = turns_alone(piece.motion().record, piece.motion().from);
   Verdict verdict = verdict_at(
       VerdictKind::fail_feed, piece,
-      fmt::format("The samples bound the feed to {:.3f} .. {:.3f} mm/min, {:.3f} are programmed.",
+      fmt::format("The samples bound the feed to {:.3f} .. {:.3f} {}, {:.3f} are programmed.",
                   fault.bounds.low * kSecondsAMinute, fault.bounds.high * kSecondsAMinute,
-                  programmed));
+                  reference::feed_unit(reference::FeedMode::per_minute, in_degrees), programmed));
   verdict.word = 'F';
   verdict.record = fault.number;
   return verdict;

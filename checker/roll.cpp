@@ -44,6 +44,24 @@ bool same_number(const Words& asked, const std::string& told) {
   }
 }
 
+// Whether the last word of a flag sets it: the bare flag, or one with a value that is not no.
+bool is_set(const Words& argv, const std::string& flag) {
+  bool holds = false;
+  for (const std::string& word : argv) {
+    if (word == flag) holds = true;
+    if (!word.starts_with(flag + "=")) continue;
+    std::string value = word.substr(flag.size() + 1);
+    for (char& c : value) {
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    const bool is_zero = value.ends_with('0') && value.find_first_not_of("+0") == std::string::npos;
+    const bool is_no = value == "false" || value == "off" || value == "no" || value == "disable" ||
+                       value == "f" || value == "n" || value.starts_with("-");
+    holds = !is_zero && !is_no;
+  }
+  return holds;
+}
+
 Json* member_of(Json& object, std::string_view key) {
   const auto found = std::ranges::find(object.members, key, &JsonMember::key);
   return found == object.members.end() ? nullptr : &found->value;
@@ -66,8 +84,10 @@ bool join(Json& into, const Json& from) {
 
 // The families of readings; some of SINUMERIK are of the 802S alone.
 bool is_of(const std::string& reading, const std::string& dialect) {
-  constexpr std::array<std::string_view, 5> kBoth = {
-      "sie.arc.correct", "sie.cr.tolerance", "sie.spindle", "sie.initial-motion", "sie.g70.f"};
+  constexpr std::array<std::string_view, 10> kBoth = {
+      "sie.arc.correct", "sie.cr.tolerance",  "sie.arc.plane", "sie.ar.zero",
+      "sie.ap.g91",      "sie.cip.collinear", "sie.spindle",   "sie.initial-motion",
+      "sie.g70.f",       "sie.feed-change"};
   if (reading.starts_with("gsk.")) return dialect == "gsk988ta";
   if (reading.starts_with("hnc.")) return dialect == "hnc21t";
   if (reading.starts_with("ngc.")) return dialect == "rs274";
@@ -125,7 +145,8 @@ std::vector<std::string> header_faults(const Json& header) {
   const auto need = [&](const std::string& option, bool holds) {
     if (!holds) faults.push_back("The header and its command line differ in " + option + ".");
   };
-  for (const char* option : {"--tolerance", "--chord", "--feed-resolution", "--blend"}) {
+  for (const char* option :
+       {"--tolerance", "--chord", "--feed-resolution", "--blend", "--feed-tolerance"}) {
     std::string key(option + 2);
     std::ranges::replace(key, '-', '_');
     need(option, same_number(values_of(argv, option), text_at(header, key)));
@@ -138,9 +159,12 @@ std::vector<std::string> header_faults(const Json& header) {
   const Words shard = values_of(argv, "--shard");
   need("--shard", text_at(header, "shard") == (shard.empty() ? "1/1" : shard.back()));
   need("--reading", values_of(argv, "--reading") == texts_at(header, "readings"));
-  const Json* strict = header.find("strict");
-  need("--strict",
-       (std::ranges::find(argv, "--strict") != argv.end()) == (strict != nullptr && strict->truth));
+  for (const char* option : {"--strict", "--show-ids"}) {
+    std::string key(option + 2);
+    std::ranges::replace(key, '-', '_');
+    const Json* told = header.find(key);
+    need(option, is_set(argv, option) == (told != nullptr && told->truth));
+  }
   const Words sandbox = values_of(argv, "--sandbox");
   const std::string sandboxed = text_at(header, "sandbox");
   need("--sandbox", sandbox.empty() || sandbox.back() == "auto" || sandboxed.empty() ||

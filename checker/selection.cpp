@@ -2,11 +2,89 @@
 #include "checker/selection.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstdio>
+#include <optional>
 
 #include "checker/sha256.hpp"
 
 namespace gonogo::checker {
+namespace {
+
+// What of a glob stands for one letter: where it ends, and whether it takes the letter.
+struct Element {
+  std::size_t end;
+  bool takes;
+};
+
+// [:digit:] and its like.
+bool is_of_class(std::string_view name, char c) {
+  struct Class {
+    std::string_view name;
+    int (*has)(int);
+  };
+  constexpr std::array<Class, 12> kClasses = {{{"alnum", std::isalnum},
+                                               {"alpha", std::isalpha},
+                                               {"blank", std::isblank},
+                                               {"cntrl", std::iscntrl},
+                                               {"digit", std::isdigit},
+                                               {"graph", std::isgraph},
+                                               {"lower", std::islower},
+                                               {"print", std::isprint},
+                                               {"punct", std::ispunct},
+                                               {"space", std::isspace},
+                                               {"upper", std::isupper},
+                                               {"xdigit", std::isxdigit}}};
+  const auto found = std::ranges::find(kClasses, name, &Class::name);
+  return found != kClasses.end() && found->has(static_cast<unsigned char>(c)) != 0;
+}
+
+// A letter within brackets, which a backslash may stand before; nothing at the end of the glob.
+std::optional<unsigned char> letter_at(std::string_view glob, std::size_t& at) {
+  if (at < glob.size() && glob[at] == '\\') ++at;
+  if (at >= glob.size()) return std::nullopt;
+  return static_cast<unsigned char>(glob[at++]);
+}
+
+// [a-f], [!1]; nothing where no bracket closes it: it stands for itself then.
+std::optional<Element> set_at(std::string_view glob, std::size_t at, char c) {
+  std::size_t i = at + 1;
+  const bool is_negated = i < glob.size() && (glob[i] == '!' || glob[i] == '^');
+  if (is_negated) ++i;
+  const std::size_t first = i;
+  const auto letter = static_cast<unsigned char>(c);
+  bool is_in = false;
+  while (i < glob.size() && (glob[i] != ']' || i == first)) {
+    const std::size_t named =
+        glob.substr(i, 2) == "[:" ? glob.find(":]", i + 2) : std::string_view::npos;
+    if (named != std::string_view::npos) {
+      is_in = is_in || is_of_class(glob.substr(i + 2, named - i - 2), c);
+      i = named + 2;
+      continue;
+    }
+    const auto low = letter_at(glob, i);
+    auto high = low;
+    if (i + 1 < glob.size() && glob[i] == '-' && glob[i + 1] != ']') high = letter_at(glob, ++i);
+    if (!low || !high) return std::nullopt;
+    is_in = is_in || (*low <= letter && letter <= *high);
+  }
+  if (i >= glob.size()) return std::nullopt;
+  return Element{i + 1, is_in != is_negated};
+}
+
+Element element_at(std::string_view glob, std::size_t at, char c) {
+  if (glob[at] == '?') return {at + 1, true};
+  if (glob[at] == '\\') {
+    return at + 1 < glob.size() ? Element{at + 2, glob[at + 1] == c} : Element{at + 1, false};
+  }
+  if (glob[at] == '[') {
+    if (const auto set = set_at(glob, at, c)) return *set;
+  }
+  return {at + 1, glob[at] == c};
+}
+
+}  // namespace
 
 Selection::Selection(const Json& header) {
   const std::string& shard = header.text_of("shard");
@@ -52,8 +130,11 @@ bool matches_glob(std::string_view glob, std::string_view text) {
     if (g < glob.size() && glob[g] == '*') {
       star = g++;
       swallowed = t;
-    } else if (g < glob.size() && (glob[g] == '?' || glob[g] == text[t])) {
-      ++g;
+      continue;
+    }
+    const Element element = g < glob.size() ? element_at(glob, g, text[t]) : Element{g, false};
+    if (element.takes) {
+      g = element.end;
       ++t;
     } else if (star != std::string_view::npos) {
       g = star + 1;

@@ -28,7 +28,8 @@ class Selection {
   unsigned long shards_ = 1;
 };
 
-// `*` stands for any characters, `?` for one.
+// As fnmatch reads it: `*` any letters, `?` one, `[a-f]` and `[!1]` one of or none of these, a
+// backslash takes its meaning from the letter behind it.
 bool matches_glob(std::string_view glob, std::string_view text);
 // 0 to n - 1: the first 8 bytes of SHA-256 of the id, most significant first, modulo n.
 unsigned long shard_of(std::string_view id, unsigned long shards);

@@ -11,6 +11,7 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
+#include "cli/wrong_words.hpp"
 #include "reference/nearest_word.hpp"
 
 namespace gonogo::cli {
@@ -26,13 +27,16 @@ const CLI::Validator& not_empty() {
   return kNotEmpty;
 }
 
-// A whole number from low to high.
+// A whole number from low to high. The parser would read one with zeros in front as octal.
 CLI::Validator whole_number(long low, long high) {
-  return {[low, high](const std::string& word) -> std::string {
+  return {[low, high](std::string& word) -> std::string {
             long value = 0;
             const char* const end = word.data() + word.size();
             const auto [last, error] = std::from_chars(word.data(), end, value);
-            if (error == std::errc() && last == end && value >= low && value <= high) return {};
+            if (error == std::errc() && last == end && value >= low && value <= high) {
+              word = std::to_string(value);
+              return {};
+            }
             return fmt::format("{} is no whole number from {} to {}.", word, low, high);
           },
           fmt::format("INT in [{} - {}]", low, high)};
@@ -115,7 +119,7 @@ Command& Command::choice(const std::string& name, std::string& value,
 
 Command& Command::number(const std::string& name, long& value, long low, long high,
                          const std::string& text) {
-  app_->add_option(name, value, text)->check(whole_number(low, high));
+  app_->add_option(name, value, text)->transform(whole_number(low, high));
   return *this;
 }
 
@@ -186,73 +190,6 @@ CommandLine::CommandLine(const std::string& name, const std::string& text,
 }
 
 CommandLine::~CommandLine() = default;
-
-namespace {
-
-// Empty: the first word is a command, or none.
-std::string unknown_command(const CLI::App& app, const std::string& word) {
-  if (word.empty() || word.front() == '-') return {};
-  std::string known;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == word) return {};
-    if (command->get_group().empty()) continue;
-    known += (known.empty() ? "" : ", ") + command->get_name();
-  }
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (!command->get_group().empty()) names.push_back(command->get_name());
-  }
-  const std::string near = reference::nearest_word(word, names);
-  return "There is no command \"" + word + "\". " + reference::did_you_mean(near) + "There are " +
-         known + ".\n";
-}
-
-// The command that the words name, down to the last of its commands.
-const CLI::App& named_command(const CLI::App& app) {
-  const CLI::App* command = &app;
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-  return *command;
-}
-
-// "gonogo ci batch"
-std::string name_of(const CLI::App& command) {
-  const CLI::App* const parent = command.get_parent();
-  return (parent == nullptr ? "" : name_of(*parent) + " ") + command.get_name();
-}
-
-// What of the words the command does not take. A word behind an unknown option is its value.
-std::string unknown_words(const CLI::App& command, const std::vector<std::string>& words) {
-  std::vector<std::string> known;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  }
-  std::string text;
-  bool is_value = false;
-  for (const std::string& word : words) {
-    const std::string option = word.substr(0, word.find('='));
-    if (word.starts_with("-")) {
-      text += fmt::format("There is no option {} of {}. {}\n", option, name_of(command),
-                          reference::did_you_mean(reference::nearest_word(option, known)));
-    } else if (!is_value) {
-      text += fmt::format("The word {} is one too many for {}.\n", word, name_of(command));
-    }
-    is_value = word.starts_with("-") && option == word;
-  }
-  return text;
-}
-
-// The mistake in words of the gauge, not in those of the library.
-std::string problem_of(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App& command = named_command(app);
-  std::string text;
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    text = unknown_words(command, app.remaining(true));
-  }
-  if (text.empty()) text = fmt::format("{}\n", error.what());
-  return fmt::format("{}`{} --help` says what it takes.\n", text, name_of(command));
-}
-
-}  // namespace
 
 int CommandLine::parse(int argc, char** argv) {
   if (const std::string problem = unknown_command(*app_, argc > 1 ? argv[1] : "");

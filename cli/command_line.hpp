@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The command line of the program and of its commands. The parser's own header is large: only
-// command_line.cpp includes it.
+// command_line.cpp and wrong_words.cpp include it.
 #pragma once
 
 #include <functional>

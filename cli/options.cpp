@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <string_view>
+#include <utility>
 
 #include "reference/dialect.hpp"
 
@@ -57,6 +60,23 @@ void add_subject_options(Command& command, LimitOptions& options) {
   command.option("--columns", options.columns,
                  "what the columns of sampled positions are: t=Time[ms],x=X_act:diameter,...");
   command.option("--manifest", options.manifest, "manifest.json of the export, of captured output");
+}
+
+void check_capture_options(const LimitOptions& options, const std::vector<std::string>& subjects) {
+  const auto is_captured = [](const std::string& one) { return one.starts_with("capture:"); };
+  if (std::ranges::any_of(subjects, is_captured)) return;
+  const std::pair<std::string_view, const std::string&> given[] = {
+      {"--manifest", options.manifest},
+      {"--columns", options.columns},
+      {"--blend", options.blend},
+      {"--feed-tolerance", options.feed_tolerance}};
+  for (const auto& [option, value] : given) {
+    if (value.empty()) continue;
+    throw UsageError(
+        fmt::format("{} is of captured output, and no subject is any. Write --subject capture:DIR, "
+                    "or leave {} out.",
+                    option, option));
+  }
 }
 
 oracle::Limits LimitOptions::limits() const {

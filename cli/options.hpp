@@ -59,6 +59,8 @@ void add_strict_option(Command& command, LimitOptions& options);
 void add_run_options(Command& command, LimitOptions& options);
 // Those, and of captured output --feed-tolerance, --blend, --columns, --manifest
 void add_subject_options(Command& command, LimitOptions& options);
+// Throws UsageError where one of the latter is given and none of the subjects is captured output.
+void check_capture_options(const LimitOptions& options, const std::vector<std::string>& subjects);
 
 // What is not below zero, as a decimal: "a feed in mm/min". Throws UsageError.
 std::optional<reference::Number> decimal_option(const std::string& text, const char* option,

@@ -171,7 +171,10 @@ reference::Profile profile_of(const std::string& text, const ProfileOptions& opt
 
 void check_dialect_name(const std::string& dialect) {
   if (reference::find_dialect(dialect) != nullptr) return;
-  throw UsageError(fmt::format("There is no dialect {}. Choose one of {}.", dialect,
+  std::vector<std::string> names;
+  for (const reference::Dialect& one : reference::dialects()) names.emplace_back(one.name);
+  throw UsageError(fmt::format("There is no dialect \"{}\". {}Write one of: {}.", dialect,
+                               reference::did_you_mean(reference::nearest_word(dialect, names)),
                                reference::dialect_names()));
 }
 
@@ -201,14 +204,7 @@ reference::Profile load_profile(const ProfileOptions& options) {
     throw UsageError(
         fmt::format("Name the dialect: --dialect and one of {}.", reference::dialect_names()));
   } else {
-    if (reference::find_dialect(options.dialect) == nullptr) {
-      std::vector<std::string> names;
-      for (const auto& dialect : reference::dialects()) names.emplace_back(dialect.name);
-      throw UsageError(
-          fmt::format("There is no dialect \"{}\". {}Write one of: {}.", options.dialect,
-                      reference::did_you_mean(reference::nearest_word(options.dialect, names)),
-                      reference::dialect_names()));
-    }
+    check_dialect_name(options.dialect);
     profile = checked(reference::default_profile(options.dialect), "");
   }
   check_readings_once(options.readings);

@@ -8,7 +8,7 @@
 namespace gonogo::cli {
 
 // The file itself; a folder stands for the results in it, or for the journal of a run that has not
-// ended.
+// ended. Throws UsageError where there is none.
 std::string results_in(const std::string& path);
 
 }  // namespace gonogo::cli

@@ -7,6 +7,7 @@
 
 #include "campaign/results_reader.hpp"
 #include "publish/report/command.hpp"
+#include "publish/report/json_value.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -17,6 +18,11 @@ using oracle::ResultsReader;
 long limit_of(const Json& header, std::string_view option) {
   const auto values = oracle::report::option_values(header.value("argv", Json::array()), option);
   return values.empty() ? 0 : std::strtol(values.back().c_str(), nullptr, 10);
+}
+
+std::string last_of(const Json& argv, std::string_view option) {
+  const auto values = oracle::report::option_values(argv, option);
+  return values.empty() ? std::string() : values.back();
 }
 
 [[noreturn]] void refuse(const std::string& journal, std::string_view option, long begun,
@@ -37,6 +43,15 @@ LimitOptions limits_of_run(const Json& header) {
   const Json argv = header.value("argv", Json::array());
   limits.environment = oracle::report::option_values(argv, "--env");
   limits.sandbox.bound = oracle::report::option_values(argv, "--bind");
+  limits.columns = last_of(argv, "--columns");
+  limits.manifest = last_of(argv, "--manifest");
+  // A merged run has another command line; the header holds these.
+  limits.blend = oracle::report::text_of(header, "blend");
+  limits.feed_tolerance = oracle::report::text_of(header, "feed_tolerance");
+  // A run of before the header said so has them in its command line alone.
+  if (limits.feed_tolerance.empty()) limits.feed_tolerance = last_of(argv, "--feed-tolerance");
+  limits.show_ids = header.value("show_ids", Json(false)) == true ||
+                    oracle::report::is_flag_set(argv, "--show-ids");
   if (header.value("sandbox", Json()) == "bubblewrap") limits.sandbox.wish = "auto";
   return limits;
 }

@@ -10,7 +10,8 @@
 
 namespace gonogo::cli {
 
-// --timeout, --memory, --env and --bind of the run with this header, and its sandbox.
+// The limits of the run with this header, its sandbox, how it read captured output, and whether it
+// told names of cases.
 LimitOptions limits_of_run(const nlohmann::ordered_json& header);
 
 // Throws UsageError when the run whose journal this is was begun with other limits. A journal that

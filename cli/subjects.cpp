@@ -28,6 +28,12 @@ oracle::SubjectMaker builtin_maker(const std::string& rest) {
                                  reference::did_you_mean(reference::nearest_word(name, names)),
                                  known));
   }
+  if (plus != std::string::npos && fault.empty()) {
+    throw UsageError(
+        fmt::format("No fault stands behind the + of builtin:{}. `gonogo faults --list` names "
+                    "them; builtin:{} has none.",
+                    rest, name));
+  }
   const gonogo_subject_v1* subject = expanders::find(name, fault);
   if (subject == nullptr) {
     std::vector<std::string> faults;

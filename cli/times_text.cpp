@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "grammar/file_source.hpp"
-#include "oracle/judge/mismatch.hpp"
+#include "oracle/judge/grade.hpp"
 #include "oracle/judge/time_rows.hpp"
 #include "oracle/records/rounding_census.hpp"
 #include "reference/expander.hpp"

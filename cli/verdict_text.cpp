@@ -118,7 +118,8 @@ namespace {
 using Numbers = std::map<std::string, std::size_t, oracle::NaturalOrder>;
 
 // "g94 252, g90 12": those with most cases first; of more than `most` the number of the others.
-std::string numbers_text(const Numbers& numbers, std::size_t most) {
+// `colon`: behind each name, which is a sentence.
+std::string numbers_text(const Numbers& numbers, std::size_t most, std::string_view colon = "") {
   std::vector<std::pair<std::string, std::size_t>> ordered(numbers.begin(), numbers.end());
   // By name where the numbers are the same; std::stable_sort warns under clang-19.
   std::ranges::sort(ordered, [](const auto& a, const auto& b) {
@@ -129,7 +130,7 @@ std::string numbers_text(const Numbers& numbers, std::size_t most) {
   for (std::size_t i = 0; i < ordered.size(); ++i) {
     const auto& [name, cases] = ordered[i];
     if (i < most) {
-      text += fmt::format("{}{} {}", i == 0 ? "" : ", ", name, oracle::grouped(cases));
+      text += fmt::format("{}{}{} {}", i == 0 ? "" : ", ", name, colon, oracle::grouped(cases));
     } else {
       others += cases;
     }
@@ -196,6 +197,12 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
   return text;
 }
 
+// What a subject says of a skip, without the full stop.
+std::string reason_text(std::string_view said) {
+  while (said.ends_with('.')) said.remove_suffix(1);
+  return oracle::excerpt(said, kMostOfReason);
+}
+
 // What the subject does not claim, dialect by dialect, feature by feature.
 std::string not_claimed_text(const oracle::RunScope& scope) {
   struct Skips {
@@ -207,12 +214,15 @@ std::string not_claimed_text(const oracle::RunScope& scope) {
   for (const auto& [key, group] : scope.not_claimed()) {
     Skips& skips = by_dialect[key.dialect];
     skips.cases += group.cases;
-    (key.feature.empty() ? skips.reasons[oracle::excerpt(key.message, kMostOfReason)]
-                         : skips.features[key.feature]) += group.cases;
+    if (key.feature.empty()) {
+      skips.reasons[reason_text(key.message)] += group.cases;
+    } else {
+      skips.features[key.feature] += group.cases;
+    }
   }
   std::string text;
   for (const auto& [dialect, skips] : by_dialect) {
-    const std::string reasons = numbers_text(skips.reasons, kShownReasons);
+    const std::string reasons = numbers_text(skips.reasons, kShownReasons, ":");
     text += fmt::format("  not claimed of {}: {} ({}{}{})\n", dialect,
                         oracle::counted(skips.cases, "case", "cases"),
                         numbers_text(skips.features, oracle::RunScope::kAll),

@@ -85,14 +85,18 @@ Request read_request(std::string_view text) {
 // The motions of a program as the page draws and steps through them.
 class Drawing {
  public:
-  explicit Drawing(const reference::Profile& profile) : sampler_(profile.initial.at) {}
+  explicit Drawing(const reference::Profile& profile)
+      : sampler_(profile.initial.at), texts_(profile.initial.at) {}
 
   void operator()(const reference::Record& record) {
     if (cut_) return;
     cut_ = !sampler_.add(record);
-    if (!cut_) add(record.block, oracle::manual::motion_text(record), record.clause);
+    if (!cut_) add(record.block, texts_.next(record), record.clause);
   }
-  void operator()(const reference::Renaming& renaming) { sampler_.rename(renaming.shift); }
+  void operator()(const reference::Renaming& renaming) {
+    sampler_.rename(renaming.shift);
+    texts_.rename(renaming.shift);
+  }
   void operator()(const reference::AlarmReport& report) {
     const reference::Alarm& first = report.alarms.front();
     end("alarm", report.block, fmt::format("alarm {}", reference::name(first.alarm)), first.clause);
@@ -121,6 +125,7 @@ class Drawing {
   }
 
   oracle::report::PathSampler sampler_;
+  oracle::manual::MotionTexts texts_;
   Json steps_ = Json::array();
   bool cut_ = false;
 };

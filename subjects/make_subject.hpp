@@ -39,6 +39,8 @@ struct Limits {
   std::chrono::milliseconds start{10'000};
   std::chrono::milliseconds run{2'000};
   std::size_t line_bytes = std::size_t{64} << 20;
+  // Read behind what the sink takes, to see whether the run ends as a skip (J-RUN-05).
+  std::size_t further_bytes = std::size_t{1} << 20;
   std::size_t memory_bytes = std::size_t{2} << 30;
   std::size_t processes = 512;  // at once, of the subject and all that it starts
   int restarts = 10;            // in a row

@@ -46,6 +46,7 @@ class OneshotRun {
     process_.send(std::string(program));
     process_.end_input();
     RunEnd end = read_output();
+    if (stopped_ && end.kind != RunEnd::Kind::skip) end = *stopped_;
     end.microseconds =
         std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - begin - in_sink_)
             .count();
@@ -96,6 +97,7 @@ class OneshotRun {
   }
 
   std::optional<RunEnd> read_line(std::string_view text) {
+    if (stopped_) return pass_over(text);
     auto parsed = document_.parse(text);
     if (auto* fault = std::get_if<JsonFault>(&parsed)) {
       return RunEnd::of(RunEnd::Kind::protocol, std::move(fault->message));
@@ -109,8 +111,16 @@ class OneshotRun {
       alarm_ = std::move(*alarm);
       return std::nullopt;
     }
-    if (sink_(std::get<reference::Record>(line))) return std::nullopt;
-    return RunEnd::of(RunEnd::Kind::stopped, "The run was stopped.");
+    if (!sink_(std::get<reference::Record>(line))) {
+      stopped_ = RunEnd::of(RunEnd::Kind::stopped, "The run was stopped.");
+    }
+    return std::nullopt;
+  }
+
+  // J-RUN-05: the sink has seen enough, but the run may end as a skip.
+  std::optional<RunEnd> pass_over(std::string_view text) {
+    further_ += text.size() + 1;
+    return further_ > limits_.further_bytes ? stopped_ : std::nullopt;
   }
 
   // Only the exits of the contract are answers; everything else is a crash and no rejection.
@@ -160,6 +170,8 @@ class OneshotRun {
   LineBuffer lines_;
   Clock::duration in_sink_{0};
   std::optional<SubjectAlarm> alarm_;
+  std::optional<RunEnd> stopped_;  // by the sink
+  std::size_t further_ = 0;        // bytes behind that
 };
 
 class OneshotSubject : public Subject {

@@ -103,6 +103,7 @@ PipeSession::Parsed PipeSession::read_line() {
                                                       limits_.line_bytes, doing_));
     }
     if (line) {
+      read_ += line->size() + 1;
       auto parsed = document_.parse_padded(*line);
       if (auto* fault = std::get_if<JsonFault>(&parsed)) {
         return fail(RunEnd::Kind::protocol, fault->message);
@@ -199,32 +200,48 @@ Process::Clock::duration PipeSession::share_of(Process::Clock::duration spent) {
   return spent + share_;
 }
 
+namespace {
+
+RunEnd end_of(PipeReply& reply) {
+  RunEnd end;
+  end.kind = reply.outcome;
+  end.alarm = std::move(reply.alarm);
+  end.feature = std::move(reply.feature);
+  end.message = std::move(reply.message);
+  end.notes = std::move(reply.notes);
+  return end;
+}
+
+}  // namespace
+
 RunEnd PipeSession::receive(std::int64_t seq, const RecordSink& sink) {
+  // The sink has seen enough, but the run may end as a skip (J-RUN-05).
+  std::optional<RunEnd> stopped;
   while (true) {
     auto parsed = read_line();
-    if (auto* end = std::get_if<RunEnd>(&parsed)) return std::move(*end);
+    if (auto* end = std::get_if<RunEnd>(&parsed)) return std::move(stopped).value_or(*end);
     auto read = read_pipe_reply(std::get<object>(parsed), seq);
     if (auto* fault = std::get_if<TraceFault>(&read)) {
-      return fail(RunEnd::Kind::protocol, std::move(fault->message));
+      const RunEnd end = fail(RunEnd::Kind::protocol, std::move(fault->message));
+      return std::move(stopped).value_or(end);
     }
     auto& reply = std::get<PipeReply>(read);
-    auto ended = deliver(reply, sink);
-    if (ended && (!usable_ || reply.more)) {
-      // Nobody reads the parts that would follow.
-      return usable_ ? fail(ended->kind, std::move(ended->message)) : *std::move(ended);
+    if (!stopped) {
+      stopped = deliver(reply, sink);
+      if (!usable_) return *std::move(stopped);
+      read_ = 0;
     }
-    if (reply.more) continue;
+    if (reply.more) {
+      if (stopped && read_ > limits_.further_bytes) {
+        return fail(RunEnd::Kind::stopped, std::move(stopped->message));
+      }
+      continue;
+    }
     if (open_.empty()) {
       if (auto extra = unasked(false)) return *std::move(extra);
     }
-    if (ended) return *std::move(ended);
-    RunEnd end;
-    end.kind = reply.outcome;
-    end.alarm = std::move(reply.alarm);
-    end.feature = std::move(reply.feature);
-    end.message = std::move(reply.message);
-    end.notes = std::move(reply.notes);
-    return end;
+    if (stopped && reply.outcome != RunEnd::Kind::skip) return *std::move(stopped);
+    return end_of(reply);
   }
 }
 

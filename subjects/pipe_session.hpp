@@ -76,6 +76,7 @@ class PipeSession {
   std::int64_t seq_ = 0;
   std::deque<OpenRun> open_;           // sent, not yet answered
   std::optional<RunEnd> unasked_for_;  // what was wrong before the first of them was sent
+  std::size_t read_ = 0;               // bytes of lines, since it was set to 0
   bool usable_ = true;
   bool delivered_ = false;
 };

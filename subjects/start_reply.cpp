@@ -114,6 +114,11 @@ void read_dialects(const object& reply, SubjectInfo& info) {
 std::optional<Number> length_of(const object& numeric, std::string_view key, bool zero_allowed) {
   auto value = find(numeric, key);
   if (!value) return std::nullopt;
+  // What values are rounded to has to be a rational number.
+  if (value->type() == simdjson::dom::element_type::OBJECT) {
+    throw Refusal{
+        fmt::format("\"{}\" must be a decimal in quotes, no root and no enclosure.", key)};
+  }
   auto read = read_number(key, *value);
   if (auto* fault = std::get_if<TraceFault>(&read)) throw Refusal{fault->message};
   const Number& number = std::get<Number>(read);

@@ -18,8 +18,10 @@
 #include "corpus/io/folder_writer.hpp"
 #include "corpus/io/lint.hpp"
 #include "fuzz/generate/cover/cases.hpp"
+#include "oracle/records/features.hpp"
 #include "oracle/records/text.hpp"
 #include "reference/dialect.hpp"
+#include "reference/nearest_word.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -69,7 +71,17 @@ struct CorpusWords {
                   corpus.folder()));
 }
 
-void check_bases(const Choice& choice) {
+// A word that names nothing chooses no case, and somebody mistyped it.
+void check_choice(const Choice& choice) {
+  for (const std::string& name : choice.dialects) check_dialect_name(name);
+  std::vector<std::string> features;
+  for (const oracle::Feature& one : oracle::feature_vocabulary()) features.emplace_back(one.name);
+  for (const std::string& name : choice.features) {
+    if (std::ranges::find(features, name) != features.end()) continue;
+    throw UsageError(fmt::format("There is no feature {}. {}`gonogo spec --features` names them.",
+                                 name,
+                                 reference::did_you_mean(reference::nearest_word(name, features))));
+  }
   for (const std::string& name : choice.bases) {
     if (reference::basis(name)) continue;
     throw UsageError(
@@ -78,7 +90,7 @@ void check_bases(const Choice& choice) {
 }
 
 int list(const CorpusWords& words) {
-  check_bases(words.choice);
+  check_choice(words.choice);
   const oracle::Corpus corpus(corpus_folder(words.folder));
   Output output;
   bool any = false;
@@ -96,7 +108,7 @@ int list(const CorpusWords& words) {
 
 // The cycles of the cases that are meant, for those who run each by itself.
 int cycles(const CorpusWords& words) {
-  check_bases(words.choice);
+  check_choice(words.choice);
   const oracle::Corpus corpus(corpus_folder(words.folder));
   std::map<std::pair<std::string, std::string>, std::size_t> cycles;
   // A basis is one of the expectations, which a run does not read.
@@ -285,7 +297,7 @@ class Stats {
 };
 
 int stats(const CorpusWords& words) {
-  check_bases(words.choice);
+  check_choice(words.choice);
   const oracle::Corpus corpus(corpus_folder(words.folder));
   Stats stats;
   corpus.for_each([&](const Case& test) {
@@ -302,7 +314,7 @@ int stats(const CorpusWords& words) {
 }
 
 int copy(const CorpusWords& words) {
-  check_bases(words.choice);
+  check_choice(words.choice);
   const oracle::Corpus corpus(corpus_folder(words.folder));
   oracle::CorpusFolder part{corpus.version(), corpus.retired(), {}};
   std::size_t cases = 0;

@@ -46,11 +46,8 @@ void write_new(const fs::path& file, const std::string& text) {
 
 // Recipes with one case, which builds as it stands.
 int start(const MakeWords& words) {
+  check_dialect_name(words.dialect);
   const reference::Dialect* const dialect = reference::find_dialect(words.dialect);
-  if (dialect == nullptr) {
-    throw UsageError(
-        fmt::format("There is no dialect {}. `gonogo spec` names them.", words.dialect));
-  }
   const fs::path folder = words.out;
   write_new(folder / "corpus.toml",
             "# year.minor.patch: patch, expectations unchanged; minor, cases added; year, "

@@ -65,7 +65,7 @@ void check_block(NumberedLines& lines, long block) {
 class Explanation {
  public:
   Explanation(const reference::Profile& profile, NumberedLines& lines)
-      : lines_(lines), choice_(profile.readings.shown()) {}
+      : lines_(lines), choice_(profile.readings.shown()), texts_(profile.initial.at) {}
 
   bool empty() const { return block_ == 0; }
   void note(const reference::Warning& warning, std::uint64_t line, std::string& out) {
@@ -85,8 +85,11 @@ class Explanation {
       const reference::Reading& reading = reference::reading(key);
       out += fmt::format("    reading {}={}: {}\n", reading.name, choice_.get(key), reading.text);
     }
-    out += fmt::format("    {}\n", oracle::manual::motion_text(record));
+    out += fmt::format("    {}\n", texts_.next(record));
   }
+  // One that is not shown.
+  void pass(const reference::Record& record) { texts_.pass(record); }
+  void rename(const reference::Position& shift) { texts_.rename(shift); }
 
  private:
   void begin(std::uint64_t line, std::string& out) {
@@ -98,6 +101,7 @@ class Explanation {
 
   NumberedLines& lines_;
   reference::ReadingChoice choice_;  // as it is shown
+  oracle::manual::MotionTexts texts_;
   std::uint64_t block_ = 0;
   reference::ClauseId clause_ = reference::kNoClause;
 };
@@ -143,6 +147,7 @@ int explain(const ExplainOptions& options) {
       const auto decided_by = expander.take_touched_readings();
       if (!is_shown(record->block)) {
         time.leave_out(*record);
+        explanation.pass(*record);
         continue;
       }
       time.take(*record);
@@ -150,6 +155,7 @@ int explain(const ExplainOptions& options) {
       output.flush_if_large();
     } else if (auto* renaming = std::get_if<reference::Renaming>(item)) {
       time.rename(renaming->shift);
+      explanation.rename(renaming->shift);
     } else if (auto* alarms = std::get_if<reference::AlarmReport>(item)) {
       output.tell();
       report_alarms(*alarms, options.program, expander.failed_line());

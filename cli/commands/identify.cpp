@@ -123,6 +123,7 @@ int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
 }
 
 int identify_subject(IdentifyWords words) {
+  check_capture_options(words.limits, {words.subject});
   words.limits.stated = stated_machine(words.profile);
   const std::unique_ptr<oracle::Subject> subject = with_alarm_map(
       subject_maker(words.subject,

@@ -22,7 +22,7 @@ struct HeaderPart {
   std::string_view what;
   const char* pointer;
 };
-inline constexpr std::array<HeaderPart, 19> kHeaderParts = {{
+inline constexpr std::array<HeaderPart, 21> kHeaderParts = {{
     {"subject", "/subject/name"},
     {"version of the subject", "/subject/version"},
     {"version of gonogo", "/gonogo"},
@@ -33,6 +33,8 @@ inline constexpr std::array<HeaderPart, 19> kHeaderParts = {{
     {"chord", "/chord"},
     {"feed resolution", "/feed_resolution"},
     {"blend", "/blend"},
+    {"feed tolerance", "/feed_tolerance"},
+    {"names of cases told", "/show_ids"},
     {"strictness", "/strict"},
     {"sandbox", "/sandbox"},
     {"features declared", "/subject/dialects"},

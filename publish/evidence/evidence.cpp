@@ -9,6 +9,7 @@
 
 #include "campaign/encoding.hpp"
 #include "campaign/results_reader.hpp"
+#include "campaign/results_writer.hpp"
 #include "campaign/selection.hpp"
 #include "oracle/records/output_file.hpp"
 #include "publish/evidence/badge.hpp"
@@ -94,6 +95,7 @@ class Writers {
     const RunState state = run_state(summary_, reader_.header(), footer);
     programs_.finish();
     junit_.finish(state);
+    for (const std::string& entry : state.stale) sarif_.add_stale(entry);
     sarif_.finish(state.unfinished);
     write_file(folder_ / "badge.json", badge_json(state));
     write_file(folder_ / "summary.md", markdown_.text(state));
@@ -155,8 +157,9 @@ std::optional<std::string> write_evidence(const std::string& results, const std:
     const Causes causes = read_causes(fs::path(results).parent_path());
     Writers writers(reader, folder, causes, programs_of(corpus, reader.header()));
     writers.write_lines();
+    remove_views(folder);
+    copy_results(results, fs::path(folder) / kReportedResults);
     writers.finish();
-    copy_results(results, fs::path(folder) / "results.jsonl");
     write_causes(folder, causes);
     if (auto error = writers.finish_page()) {
       throw std::system_error(std::make_error_code(std::errc::io_error), error->message);

@@ -173,23 +173,33 @@ std::string JunitWriter::properties(const RunState& state) const {
   return properties_.substr(0, properties_.size() - kEnd.size()) + own + std::string(kEnd);
 }
 
+// What is wrong with the run and with none of its cases, as a suite of its own.
+std::string JunitWriter::run_suite(const RunState& state, const std::string& properties) {
+  std::string tests;
+  Counts counts;
+  const auto put = [&](std::string_view name, std::string_view type, const std::string& message) {
+    counts.add(JunitMark::error, 0);
+    all_.add(JunitMark::error, 0);
+    tests += fmt::format(
+        "<testcase classname=\"run\" name=\"{}\" time=\"0.000000\"><error type=\"{}\" "
+        "message=\"{}\"></error></testcase>\n",
+        xml_attribute(name), type, xml_attribute(message));
+  };
+  if (!state.unfinished.empty()) put("whole", "incomplete", state.unfinished);
+  for (const std::string& entry : state.stale) put(entry, "stale", stale_sentence(entry));
+  if (tests.empty()) return {};
+  return fmt::format("<testsuite name=\"run\" {}>\n{}{}</testsuite>\n", counts.attributes(),
+                     properties, tests);
+}
+
 void JunitWriter::finish(const RunState& state) {
-  const std::string& unfinished = state.unfinished;
   const std::string properties = this->properties(state);
+  const std::string of_run = run_suite(state, properties);
   OutputFile out(path_);
-  if (!unfinished.empty()) all_.add(JunitMark::error, 0);
   out.write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
   out.write(fmt::format("<testsuites name=\"gonogo\" {}>\n", all_.attributes()));
   for (auto& [dialect, suite] : suites_) copy_suite(dialect, suite, out, properties);
-  if (!unfinished.empty()) {
-    Counts one;
-    one.add(JunitMark::error, 0);
-    out.write(
-        fmt::format("<testsuite name=\"run\" {}>\n{}<testcase classname=\"run\" "
-                    "name=\"whole\" time=\"0.000000\"><error type=\"incomplete\" "
-                    "message=\"{}\"></error></testcase>\n</testsuite>\n",
-                    one.attributes(), properties, xml_attribute(unfinished)));
-  }
+  out.write(of_run);
   out.write("</testsuites>\n");
   out.commit();
 }

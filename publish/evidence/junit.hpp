@@ -32,7 +32,7 @@ class JunitWriter {
 
   // `finding`: what the case belongs to; null: none.
   void add(const CaseRow& facts, const Finding* finding);
-  // What the run lacks becomes a suite with one error.
+  // What the run lacks, and what is stale, becomes a suite of errors.
   void finish(const RunState& state);
 
  private:
@@ -52,6 +52,7 @@ class JunitWriter {
   };
   Suite& suite(const std::string& dialect);
   std::string properties(const RunState& state) const;
+  std::string run_suite(const RunState& state, const std::string& properties);
   void copy_suite(const std::string& dialect, Suite& suite, OutputFile& out,
                   const std::string& properties) const;
 

@@ -151,11 +151,13 @@ RunTolerances run_tolerances(const Json& header) {
 Rejudged rejudge(const Json& line, const RunTolerances& tolerances) {
   const CaseRow row = case_row(line);
   const bool is_gap = row.kind == VerdictKind::oracle_gap;
+  const bool passes = row.kind == VerdictKind::xpass;
   const VerdictKind departure =
       row.kind == VerdictKind::advice || row.kind == VerdictKind::xfail
           ? verdict_kind(row.departure).value_or(VerdictKind::oracle_error)
           : row.kind;
-  const bool can_tell = is_gap || departs_in_motion(departure) || departs_in_alarm(departure);
+  const bool can_tell =
+      is_gap || passes || departs_in_motion(departure) || departs_in_alarm(departure);
   if (!row.program || !can_tell) return {};
   const auto profile = report::case_profile(row.dialect, line.value("profile", Json::object()));
   if (const auto* fault = std::get_if<std::string>(&profile)) {
@@ -167,6 +169,8 @@ Rejudged rejudge(const Json& line, const RunTolerances& tolerances) {
   const Tolerances of_judge = make_tolerances(tolerances.subject, machine, tolerances.grants);
   const SessionVerdict now =
       judge_outcome(machine, *row.program, of_judge, outcome->records, outcome->end);
+  // A pass that ended in an alarm has not kept it.
+  if (passes) return {decision(now.verdict.kind) == Decision::go, {}};
   // How the run of a gap ended is unknown; a record that departs does so however it ended.
   const bool departs = now.verdict.record && decision(now.verdict.kind) == Decision::no_go;
   if (is_gap && now.verdict.kind != row.kind && !departs) return {};

@@ -24,6 +24,10 @@ std::string run_title(const Json& header) {
                             : fmt::format("{} ({})", subject_title(header), conditions);
 }
 
+std::string stale_sentence(const std::string& entry) {
+  return "An entry of the subject's files is stale: " + entry;
+}
+
 RunState run_state(const report::Summary& summary, const Json& header, const Json* footer) {
   RunState state;
   state.subject = subject_title(header);
@@ -38,7 +42,9 @@ RunState run_state(const report::Summary& summary, const Json& header, const Jso
   state.footer = *footer;
   state.decision = text_of(*footer, "decision");
   if (state.decision.empty()) state.decision = text_of(state.summary["headline"], "decision");
-  state.head = summary.scope().head(state.decision) + conditions_of(header, *footer).text();
+  state.stale = report::texts_of(*footer, "stale");
+  state.head = summary.scope().head(state.decision, RunScope::kAll, state.stale) +
+               conditions_of(header, *footer).text();
   return state;
 }
 

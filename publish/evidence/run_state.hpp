@@ -13,12 +13,17 @@ struct RunState {
   std::string decision;    // GO, NO-GO, UNDECIDED; INCOMPLETE without a footer
   std::string head;        // of what, in a line
   std::string unfinished;  // what the run lacks, a sentence; or empty
-  std::string subject;     // its name and version
-  Json summary;            // of report::Summary
-  Json footer;             // null: none
+  // Entries of the subject's files that are no longer true: each makes the run NO-GO.
+  std::vector<std::string> stale;
+  std::string subject;  // its name and version
+  Json summary;         // of report::Summary
+  Json footer;          // null: none
 };
 
 RunState run_state(const report::Summary& summary, const Json& header, const Json* footer);
+
+// "An entry of the subject's files is stale: known failure ngc.a: no case has this id"
+std::string stale_sentence(const std::string& entry);
 
 // "acme 3.2", or how it was named.
 std::string subject_title(const Json& header);

@@ -8,6 +8,7 @@
 #include "campaign/encoding.hpp"
 #include "corpus/io/sha256.hpp"
 #include "oracle/records/text.hpp"
+#include "publish/evidence/run_state.hpp"
 #include "publish/evidence/text.hpp"
 #include "publish/evidence/verdict_meaning.hpp"
 #include "publish/report/case_paths.hpp"
@@ -24,6 +25,8 @@ namespace {
 
 // The folder of the report, from which the programs are named.
 constexpr const char* kReportBase = "REPORT";
+// What an entry of the subject's files that is no longer true departs from.
+constexpr const char* kStaleRule = "stale";
 
 // The first dialect that has the clause.
 std::string_view dialect_of(std::string_view id) {
@@ -127,6 +130,10 @@ Json rule_json(const std::string& id, std::string_view address) {
                               "the readings that it leaves open.",
                               id, clause->text, clause->source, dialect_of(id)));
     rule["properties"] = {{"document", clause->source}, {"level", reference::name(clause->level)}};
+  } else if (id == kStaleRule) {
+    const Json text = text_json("An entry of the subject's files is no longer true.");
+    rule["shortDescription"] = text;
+    rule["help"] = text;
   } else if (const auto kind = verdict_kind(id)) {
     rule["shortDescription"] = text_json(meaning_of(*kind));
     rule["help"] = text_json(meaning_of(*kind));
@@ -187,6 +194,24 @@ void SarifWriter::add(const CaseRow& facts, const Finding* finding) {
   out_.write(any_ ? ",\n" : "\n");
   out_.write(dump(result(facts, finding)));
   any_ = true;
+}
+
+void SarifWriter::add_stale(const std::string& entry) {
+  Sha256 hash;
+  hash.update(entry + "\n" + kStaleRule + "\n");
+  Json name = Json::object();
+  name["name"] = visible(entry);
+  Json place = Json::object();
+  place["logicalLocations"] = Json::array({name});
+  out_.write(any_ ? ",\n" : "\n");
+  any_ = true;
+  out_.write(dump({{"ruleId", kStaleRule},
+                   {"ruleIndex", rule_index(kStaleRule)},
+                   {"kind", "fail"},
+                   {"level", "error"},
+                   {"message", text_json(stale_sentence(entry))},
+                   {"locations", Json::array({place})},
+                   {"partialFingerprints", {{"caseAndRule/v1", hash.hex()}}}}));
 }
 
 Json SarifWriter::rules() const {

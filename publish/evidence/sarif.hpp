@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // SARIF 2.1.0: a result a case that is not GO, or that is known to fail, or an advice (a note); the
-// rule is the clause departed from, or the verdict where no clause is at fault.
+// rule is the clause departed from, or the verdict where no clause is at fault. A stale entry of
+// the subject's files is a result, too.
 #pragma once
 
 #include <filesystem>
@@ -28,6 +29,8 @@ class SarifWriter {
               std::string_view address = address_of_pages());
   // `finding`: what the case belongs to; null: none.
   void add(const CaseRow& facts, const Finding* finding);
+  // An entry of the subject's files that is no longer true.
+  void add_stale(const std::string& entry);
   // `unfinished`: what the run lacks, a sentence; or empty.
   void finish(const std::string& unfinished);
 

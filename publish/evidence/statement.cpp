@@ -84,9 +84,11 @@ Json statement_json(const Json& header, const RunState& state, const Json& waive
                     const Json& findings, const std::vector<std::string>& files,
                     const TraceFiles& traces) {
   Json root = {{"format", 1}, {"decision", state.decision}, {"head", state.head}};
-  for (const char* key : {"subject", "gonogo", "gauge", "corpus", "profile", "readings", "machine",
-                          "tolerance", "chord", "feed_resolution", "blend", "strict", "sandbox",
-                          "capped", "selection", "known_failures", "alarm_map", "seed", "shard"}) {
+  for (const char* key :
+       {"subject",   "gonogo",    "gauge",   "corpus",          "profile",   "readings",
+        "machine",   "tolerance", "chord",   "feed_resolution", "blend",     "feed_tolerance",
+        "show_ids",  "strict",    "sandbox", "capped",          "selection", "known_failures",
+        "alarm_map", "seed",      "shard"}) {
     if (header.contains(key)) root[key] = header[key];
   }
   for (const char* key : {"cases", "judged", "left_out", "totals", "assignments", "coordinates",
@@ -173,6 +175,13 @@ std::string facts_of_run(const Json& header, const RunState& state) {
   if (!feeds.empty()) put("Feed resolution", markdown_text(feeds) + ", granted by the certifier");
   const std::string blend = text_of(header, "blend");
   if (!blend.empty()) put("Blend", markdown_text(blend) + " mm, granted by the certifier");
+  const std::string percent = text_of(header, "feed_tolerance");
+  if (!percent.empty()) {
+    put("Feed tolerance", markdown_text(percent) + " %, granted by the certifier");
+  }
+  if (header.value("show_ids", Json(false)) == true) {
+    put("Names of cases", "are told to the subject (--show-ids): it may look answers up by them");
+  }
   put("Sandbox", text_of(header, "sandbox"));
   put("Advices", header.value("strict", Json(false)) == true ? "are NO-GO (--strict)"
                                                              : "are told, and are no NO-GO");

@@ -84,12 +84,21 @@ ResultsFacts read_results(const std::string& path) {
   return facts;
 }
 
+// "5" of "05", as the command line reads it.
+std::vector<std::string> whole_numbers(std::vector<std::string> words) {
+  for (std::string& word : words) {
+    const std::size_t last = word.empty() ? 0 : word.size() - 1;
+    word.erase(0, std::min(word.find_first_not_of('0'), last));
+  }
+  return words;
+}
+
 // How many fresh programs are wanted follows from the command line, else from the cases judged. A
 // merge has no such command line.
 void check_fresh(const ResultsFacts& facts, std::vector<std::string>& faults) {
   const Json argv = facts.header.value("argv", Json::array());
   const bool is_run = std::ranges::count(argv, Json("certify")) > 0;
-  const auto asked = report::option_values(argv, "--fresh");
+  const auto asked = whole_numbers(report::option_values(argv, "--fresh"));
   const FreshCounts counts = fresh_from_json(facts.footer.value("fresh", Json::object()));
   const bool is_none = !asked.empty() && asked.back() == "0";
   const bool are_due = !asked.empty() && !is_none && !facts.is_no_go && !facts.judged.empty();

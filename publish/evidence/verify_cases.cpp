@@ -29,12 +29,12 @@ constexpr const char* kFromCorpus = "from the corpus, which expects no answer";
 constexpr const char* kFromHeader = "from what the subject declares";
 
 // What a line of format 2 may hold.
-constexpr std::array<std::string_view, 34> kKeys{
+constexpr std::array<std::string_view, 35> kKeys{
     "id",          "dialect",   "cycle",   "features", "clauses", "verdict",   "property_motions",
     "coordinates", "departure", "rule",    "gap",      "clause",  "basis",     "reading",
     "b",           "record",    "word",    "want",     "got",     "deviation", "witness",
     "feature",     "message",   "known",   "expected", "mapped",  "readings",  "us",
-    "attempts",    "profile",   "program", "sampled",  "trace",   "notes"};
+    "attempts",    "profile",   "program", "sampled",  "trace",   "notes",     "told_under"};
 
 // Why no run has written the line so; empty: one may have.
 std::string form_fault(const Json& line, const std::string& id) {

@@ -29,8 +29,9 @@ constexpr std::array<ListOption, 5> kLists = {{{"--dialect", "dialects"},
                                                {"--cycle", "cycles"},
                                                {"--clause", "clauses"}}};
 // Options that come to a number or a file of the header.
-constexpr std::array<const char*, 4> kNumbers = {"--tolerance", "--chord", "--feed-resolution",
-                                                 "--blend"};
+constexpr std::array<const char*, 5> kNumbers = {"--tolerance", "--chord", "--feed-resolution",
+                                                 "--blend", "--feed-tolerance"};
+constexpr std::array<const char*, 2> kFlags = {"--strict", "--show-ids"};
 constexpr std::array<const char*, 2> kFiles = {"--known-failures", "--alarm-map"};
 
 std::string key_of(std::string_view option) {
@@ -109,10 +110,11 @@ class HeaderCheck {
     need("--shard", told == (shard.empty() ? "1/1" : shard.back()), Json(told));
     const std::vector<std::string> seed = option_values(argv_, "--seed");
     const Json drawn = header_.value("seed", Json(0));
-    need("--seed", seed.empty() || seed.back() == dump(drawn), drawn);
-    const Json strict = header_.value("strict", Json(false));
-    need("--strict",
-         (std::ranges::find(argv_, Json("--strict")) != argv_.end()) == (strict == true), strict);
+    need("--seed", seed.empty() || is_same_number({seed.back()}, dump(drawn)), drawn);
+    for (const char* option : kFlags) {
+      const Json flag = header_.value(key_of(option), Json(false));
+      need(option, report::is_flag_set(argv_, option) == (flag == true), flag);
+    }
     const std::vector<std::string> sandbox = option_values(argv_, "--sandbox");
     const std::string sandboxed = text_of(header_, "sandbox");
     const bool may_be = sandbox.empty() || sandbox.back() == "auto" || sandboxed.empty() ||

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 
@@ -19,10 +20,13 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 // What a verdict depends on, besides the subject and the case.
-constexpr std::array<std::string_view, 13> kKept = {
-    "--corpus",  "--profile", "--reading",   "--tolerance",      "--chord", "--feed-resolution",
-    "--timeout", "--memory",  "--alarm-map", "--known-failures", "--env",   "--sandbox",
-    "--bind"};
+constexpr std::array<std::string_view, 17> kKept = {
+    "--corpus",    "--profile", "--reading",        "--tolerance", "--chord",   "--feed-resolution",
+    "--blend",     "--columns", "--feed-tolerance", "--manifest",  "--timeout", "--memory",
+    "--alarm-map", "--env",     "--known-failures", "--sandbox",   "--bind"};
+// Those of them that the header holds as well.
+constexpr std::array<std::string_view, 5> kNumbers = {"--tolerance", "--chord", "--feed-resolution",
+                                                      "--blend", "--feed-tolerance"};
 
 }  // namespace
 
@@ -39,6 +43,26 @@ std::vector<std::string> option_values(const Json& argv, std::string_view option
     }
   }
   return values;
+}
+
+bool is_flag_set(const Json& argv, std::string_view option) {
+  bool is_set = false;
+  if (!argv.is_array()) return is_set;
+  for (const Json& one : argv) {
+    if (!one.is_string()) continue;
+    const auto& word = one.get_ref<const std::string&>();
+    if (word == option) is_set = true;
+    if (!word.starts_with(option) || word.substr(option.size(), 1) != "=") continue;
+    std::string value = word.substr(option.size() + 1);
+    for (char& letter : value) {
+      letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+    // The words and numbers for no that the command line takes.
+    constexpr std::array<std::string_view, 6> kNo = {"false", "off", "no", "disable", "f", "n"};
+    const bool is_zero = value.ends_with('0') && value.find_first_not_of("+0") == std::string::npos;
+    is_set = std::ranges::find(kNo, value) == kNo.end() && !is_zero && !value.starts_with('-');
+  }
+  return is_set;
 }
 
 std::string program_word() {
@@ -85,7 +109,7 @@ std::string command_for_case(const Json& header, CaseOf of) {
         if (reading.is_string()) add(option, reading.get<std::string>());
       }
     }
-    if (option == "--tolerance" || option == "--chord" || option == "--feed-resolution") {
+    if (std::ranges::find(kNumbers, option) != kNumbers.end()) {
       std::string key(option.substr(2));
       std::ranges::replace(key, '-', '_');
       const std::string value = text_of(header, key.c_str());
@@ -93,6 +117,7 @@ std::string command_for_case(const Json& header, CaseOf of) {
     }
   }
   if (header.value("strict", Json(false)) == true) command += " --strict";
+  if (header.value("show_ids", Json(false)) == true) command += " --show-ids";
   return command + " --case ";
 }
 

@@ -13,6 +13,9 @@ namespace gonogo::oracle::report {
 // The values that an option has on a command line, given as two words or with '='.
 std::vector<std::string> option_values(const nlohmann::ordered_json& argv, std::string_view option);
 
+// Whether a command line sets a flag, by its last word of it: `--strict`, also `--strict=true`.
+bool is_flag_set(const nlohmann::ordered_json& argv, std::string_view option);
+
 // How the program is called from here: "./gonogo" or the launcher's path in a checkout, else
 // "gonogo".
 std::string program_word();

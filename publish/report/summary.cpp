@@ -136,10 +136,12 @@ Json findings_json(const Findings& findings) {
   for (const Finding* finding : findings.list()) {
     Json cycles = Json::object();
     for (const auto& [cycle, cases] : finding->by_cycle) cycles[cycle] = cases;
+    Json verdicts = Json::object();
+    for (const auto& [kind, cases] : finding->kinds) verdicts[std::string(name(kind))] = cases;
     Json one = {{"number", finding->number},
                 {"text", finding->text()},
                 {"line", finding->line()},
-                {"verdict", name(finding->shown.kind)},
+                {"verdicts", verdicts},
                 {"dialect", finding->shown.dialect},
                 {"clause", finding->shown.clause},
                 {"cases", finding->cases},
@@ -242,11 +244,13 @@ Json Summary::headline(const Json& header, const Json* footer, std::uint64_t bad
                          : undecided       ? "UNDECIDED"
                          : reasons.empty() ? "GO"
                                            : "INCOMPLETE";
+  const std::vector<std::string> stale =
+      footer == nullptr ? std::vector<std::string>() : texts_of(*footer, "stale");
+  const std::string granted = conditions.short_text();
   return {{"decision", decision},
-          {"head", scope_.head(decision) + conditions.text()},
-          {"short", conditions.short_text().empty()
-                        ? scope_.short_head(decision)
-                        : scope_.short_head(decision) + " \xC2\xB7 " + conditions.short_text()},
+          {"head", scope_.head(decision, RunScope::kAll, stale) + conditions.text()},
+          {"short",
+           scope_.short_head(decision, stale) + (granted.empty() ? "" : " \xC2\xB7 " + granted)},
           {"incomplete", reasons},
           {"judged", scope_.judged()},
           {"advices", scope_.advised()},

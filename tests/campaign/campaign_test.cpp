@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "campaign_testing.hpp"
@@ -373,6 +376,51 @@ TEST(Campaign, ARunThatFailsOtherwiseThanItIsKnownToIsTheVerdict) {
   };
   const std::string footer = results_of(scratch, "r", knowing_flaky(), fake_maker(wrong));
   EXPECT_NE(footer.find("\"crash\":1"), std::string::npos) << footer;
+}
+
+// The first run sends nothing and the second alarms.
+TEST(Campaign, LineAndTraceAreOfOneRun) {
+  const Scratch scratch;
+  write_corpus(scratch, 1);
+  FakeSubject wrong;
+  int calls = 0;
+  wrong.act = [&calls](std::string_view, int) -> std::optional<RunEnd> {
+    RunEnd end;
+    if (++calls < 2) return end;
+    end.kind = RunEnd::Kind::alarm;
+    end.alarm.native = "E1";
+    end.alarm.alarm_class = "arc-radius";
+    end.alarm.block = 1;
+    return end;
+  };
+  CampaignOptions options = knowing_flaky();
+  options.traces = scratch.path("traces");
+  std::filesystem::create_directories(options.traces);
+  const std::string footer = results_of(scratch, "r", options, fake_maker(wrong));
+  EXPECT_NE(footer.find("\"fail.alarm-spurious\":1"), std::string::npos) << footer;
+  EXPECT_NE(scratch.read("traces/t.000000.jsonl").find("E1"), std::string::npos);
+  // Nothing is left of the other run.
+  const std::filesystem::directory_iterator files(options.traces);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
+// Whoever checks the run derives the pass from them. X2 is a diameter.
+TEST(Campaign, WhatIsKnownToFailAndPassesKeepsItsProgramAndTrace) {
+  const Scratch scratch;
+  write_corpus(scratch, 2);
+  CampaignOptions options = options_of(1);
+  options.known_failures = {{"t.000001", VerdictKind::fail_geometry, {}, {}, "mended", {}}};
+  results_of(scratch, "r", options, fake_maker({}));
+  ResultsReader reader(scratch.path("r"));
+  nlohmann::ordered_json pass;
+  nlohmann::ordered_json unexpected;
+  ASSERT_TRUE(reader.next(pass));
+  ASSERT_TRUE(reader.next(unexpected));
+  EXPECT_EQ(unexpected["verdict"], "xpass");
+  EXPECT_EQ(unexpected["program"], "G00 X2 Z5\nM30\n");
+  ASSERT_FALSE(unexpected["trace"].empty());
+  EXPECT_EQ(unexpected["trace"][0]["to"], (nlohmann::ordered_json{{"x", "1"}, {"z", "5"}}));
+  EXPECT_FALSE(pass.contains("program"));
 }
 
 TEST(Campaign, ShardsAreDisjointAndCoverTheCorpus) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "campaign/known_failures.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "campaign/results.hpp"
@@ -258,9 +259,34 @@ TEST(AlarmMap, ATextMayStandForSeveralClasses) {
 
 TEST(AlarmMap, ATextStandsForThreeClassesAtMost) {
   auto read = alarm_map_from_toml(
-      "[alarms]\n\"*\" = [\"value-sign\", \"syntax\", \"no-tool\", \"unused-word\"]\n");
+      "[alarms]\n\"E*\" = [\"value-sign\", \"syntax\", \"no-tool\", \"unused-word\"]\n");
   ASSERT_TRUE(std::holds_alternative<FileFault>(read));
   EXPECT_NE(std::get<FileFault>(read).message.find("3 classes"), std::string::npos);
+}
+
+// One that stands for every text makes any alarm right where one of its classes is due.
+TEST(AlarmMap, AnEntryOfWildcardsAloneIsRefused) {
+  for (const char* native : {"*", "?", "**", "?*"}) {
+    auto read = alarm_map_from_toml(
+        fmt::format("[alarms]\n\"E1\" = \"syntax\"\n\"{}\" = \"syntax\"\n", native));
+    ASSERT_TRUE(std::holds_alternative<FileFault>(read)) << native;
+    EXPECT_EQ(std::get<FileFault>(read).message,
+              fmt::format("line 3: \"{}\" is every alarm. Name the texts.", native));
+  }
+}
+
+// docs/known-failures.md: the first that matches, in the file; its keys would sort otherwise.
+TEST(AlarmMap, TheFirstLineThatMatchesCountsAndGoesBeforeTheSubjectsOwnClass) {
+  auto read = alarm_map_from_toml(
+      "[alarms]\n\"Zero radius\" = \"arc-radius\"\n\"Zero*\" = \"value-sign\"\n");
+  const AlarmMap map(std::get<std::vector<AlarmMap::Entry>>(std::move(read)));
+  EXPECT_EQ(map.natives(), (std::vector<std::string>{"Zero radius", "Zero*"}));
+  RunEnd end;
+  end.kind = RunEnd::Kind::alarm;
+  end.alarm.native = "Zero radius";
+  end.alarm.alarm_class = "syntax";
+  ASSERT_NE(map.name_class(end), nullptr);
+  EXPECT_EQ(end.alarm.alarm_class, "arc-radius");
 }
 
 TEST(AlarmMap, AClassThatDoesNotExistIsRefused) {

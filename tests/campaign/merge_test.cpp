@@ -160,6 +160,24 @@ TEST_F(Merge, NamesAMissingShardAndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(scratch_.path("merged")));
 }
 
+// What is wrong is the shard alone.
+TEST_F(Merge, AMissingShardIsNoMissingCorpus) {
+  run_shards();
+  const Corpus corpus(scratch_.path("corpus"));
+  for (const char* name : {"s1", "s3"}) {
+    replace_in(name, R"("sha256":""})", R"("sha256":")" + corpus.sha256() + "\"}");
+  }
+  MergeOptions merging;
+  merging.results = {scratch_.path("s1"), scratch_.path("s3")};
+  merging.out = scratch_.path("merged");
+  merging.argv = {"merge"};
+  merging.corpus = &corpus;
+  const MergeOutcome outcome = merge_results(merging);
+  EXPECT_TRUE(outcome.has_corpus);
+  EXPECT_EQ(outcome.missing, std::vector<std::string>{"shard 2/3 is not there"});
+  EXPECT_FALSE(outcome.written);
+}
+
 TEST_F(Merge, NamesAnIncompleteShard) {
   run_shards();
   const std::string text = scratch_.read("s2");

@@ -156,6 +156,34 @@ TEST(ResultsWriter, AFullDiskIsToldAndNotCrashedOn) {
   std::signal(SIGXFSZ, handler);
 }
 
+// A run that is killed before it has written its own leaves none of another beside its results.
+TEST(ResultsWriter, ViewsOfResultsGoBeforeOthersTakeTheirPlace) {
+  const Scratch scratch;
+  constexpr const char* kViews[] = {"index.html", "junit.xml",  "results.sarif",
+                                    "summary.md", "badge.json", "causes.json"};
+  const auto run = [&](const std::string& name) {
+    ResultsWriter writer(scratch.path(name), header_of("1"));
+    writer.add(passed("a"));
+    ResultsFooter footer;
+    writer.close({}, footer);
+  };
+  for (const char* view : kViews) scratch.write(std::string("report/") + view, "of another");
+  scratch.write("report/mine.txt", "mine");
+  // No report has written there: these are somebody else's.
+  run("report/results.jsonl");
+  run("report/results.jsonl");
+  scratch.write("report/programs/.written", "");
+  run("report/other.jsonl");
+  for (const char* view : kViews) {
+    EXPECT_EQ(scratch.read(std::string("report/") + view), "of another") << view;
+  }
+  run("report/results.jsonl");
+  for (const char* view : kViews) {
+    EXPECT_FALSE(std::filesystem::exists(scratch.path(std::string("report/") + view))) << view;
+  }
+  EXPECT_EQ(scratch.read("report/mine.txt"), "mine");
+}
+
 TEST(ResultsWriter, DecidesFromWhatWasAddedWhateverBecameOfTheJournal) {
   const Scratch scratch;
   ResultsWriter writer(scratch.path("r.jsonl"), header_of("1"));

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/known_failures.hpp"
 #include "campaign/results.hpp"
 
 namespace gonogo::oracle {
@@ -195,6 +196,39 @@ TEST(Tally, WhatWasGrantedStandsInTheHeadLine) {
             "GO for g94 of gsk988ta: 1 judged; granted: tolerance 1000 mm, chord 0.1 mm, blend 0.2 "
             "mm, known failures, reading gsk.g94.in-mode=keep; a part: shard 1/300, glob g*, cycle "
             "g94; not compared: M functions, source lines; strict; seed 12");
+}
+
+// J-RUN-01. A subject that knows the names of the cases can look their answers up.
+TEST(RunConditions, AFeedToleranceAnAlarmMapAndNamesOfCasesAreGrants) {
+  const auto header =
+      nlohmann::ordered_json::parse(R"({"feed_tolerance":"300","alarm_map":"cd","show_ids":true})");
+  const RunConditions conditions = conditions_of(header);
+  EXPECT_EQ(conditions.text(), "; granted: feed tolerance 300 %, alarm map, names of cases");
+  EXPECT_EQ(conditions.short_text(), "feed tolerance 300 %, alarm map, names of cases");
+  EXPECT_FALSE(conditions.are_none());
+  EXPECT_TRUE(conditions_of(nlohmann::ordered_json::parse(R"({"alarm_map":null})")).are_none());
+}
+
+// J-RUN-01. Each is a NO-GO by itself.
+TEST(Tally, StaleEntriesStandBeforeWhatIsGo) {
+  const std::string failure = "known failure ngc.a.*: no case has this id";
+  const std::string alarm = stale_alarm("E9");
+  const auto head = [](const std::vector<std::string>& stale) {
+    return answer({of_feature("a", VerdictKind::pass_exact, "basic")}, stale).head;
+  };
+  EXPECT_EQ(head({failure}), "NO-GO: 1 known failure is stale; GO: basic of gsk988ta; 1 judged");
+  EXPECT_EQ(head({failure, failure, alarm}),
+            "NO-GO: 2 known failures are stale, 1 entry of the alarm map is stale; GO: basic of "
+            "gsk988ta; 1 judged");
+  const RunAnswer fails =
+      answer({of_feature("a", VerdictKind::fail_geometry, "g94")}, {alarm, alarm});
+  EXPECT_EQ(
+      fails.head,
+      "NO-GO: g94 of gsk988ta fails 1 of 1 case; 2 entries of the alarm map are stale; 0 of 1 "
+      "judged are GO");
+  EXPECT_EQ(fails.scope.short_head("NO-GO", {failure}),
+            "NO-GO \xC2\xB7 g94 of gsk988ta fails 1 of 1 case \xC2\xB7 1 known failure is stale "
+            "\xC2\xB7 0 of 1 judged are GO");
 }
 
 // J-RUN-01. G74, G84, G86 and G33.1 of RS274/NGC turn the spindle round or stop it in the hole

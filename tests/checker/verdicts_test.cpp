@@ -321,6 +321,49 @@ TEST(CheckerVerdicts, AHeaderThatIsNotItsCommandLineIsNoticed) {
   expect_said(shop, 1, "The header and its command line differ in --tolerance.");
 }
 
+// Values are compared, not their spelling.
+TEST(CheckerVerdicts, AFlagMayBeSetWithAValue) {
+  for (const char* word : {"--strict", "--strict=true", "--strict=1", "--strict=ON"}) {
+    Workshop shop;
+    shop.change_results(R"("argv":[])",
+                        std::string(R"("strict":true,"argv":["certify",")") + word + "\"]");
+    expect_said(shop, 0, "3 verdicts derived again");
+  }
+  for (const char* word : {"--strict=false", "--strict=0", "--strict=no", "--strict=-1"}) {
+    Workshop shop;
+    shop.change_results(R"("argv":[])",
+                        std::string(R"("strict":true,"argv":["certify",")") + word + "\"]");
+    expect_said(shop, 1, "The header and its command line differ in --strict.");
+  }
+}
+
+TEST(CheckerVerdicts, AFeedToleranceOrNamesOfCasesThatTheHeaderDoesNotSayAreNoticed) {
+  const auto with = [](const std::string& words, const std::string& header) {
+    Workshop shop;
+    shop.change_results(R"("argv":[])", header + R"("argv":["certify",)" + words + "]");
+    return shop.check_verdicts();
+  };
+  EXPECT_NE(with(R"("--feed-tolerance","300")", "").text.find("differ in --feed-tolerance."),
+            std::string::npos);
+  EXPECT_NE(with(R"("--show-ids")", "").text.find("differ in --show-ids."), std::string::npos);
+  EXPECT_EQ(with(R"("--feed-tolerance","300.0","--show-ids")",
+                 R"("feed_tolerance":"300","show_ids":true,)")
+                .exit_code,
+            0);
+}
+
+// It passes under its readings, and so it counts for those of the run.
+TEST(CheckerVerdicts, AKnownContradictionThatPassesLeavesItsReadings) {
+  Workshop shop;
+  shop.set_verdict(kLineCase, "xpass");
+  shop.change_lines(R"("attempts":1,"program")",
+                    R"("attempts":1,"readings":{"open":["ngc.bare-motion"],)"
+                    R"("explaining":["ngc.bare-motion=any"],"verdict":"pass-exact",)"
+                    R"("known":"a reason"},"program")");
+  shop.change_results(R"("assignments":[])", R"("assignments":["ngc.bare-motion=any"])");
+  expect_said(shop, 0, "3 verdicts derived again");
+}
+
 TEST(CheckerVerdicts, MoreCasesLeftOutThanTheProfileDoesAreNoticed) {
   Workshop shop;
   shop.drop_line(kLineCase);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 
 #include "run_subject.hpp"
@@ -45,6 +46,18 @@ TEST(OneshotSubject, ExitThreeIsASkipWithItsReason) {
   const RunEnd end = oneshot_end("exit3");
   EXPECT_EQ(end.kind, Kind::skip);
   EXPECT_EQ(end.message, "no G116 here");
+}
+
+// J-RUN-05: also where the sink has seen enough before. What ends otherwise stays stopped.
+TEST(OneshotSubject, ExitThreeIsASkipWhateverRecordsCameBefore) {
+  for (const std::size_t most : {1U, 2U, 1000U}) {
+    auto subject = fake_oneshot("exit3-behind-records");
+    const Ran ran = run(*subject, "G0\n", most);
+    EXPECT_EQ(ran.end.kind, Kind::skip) << ran.end.message;
+    EXPECT_EQ(ran.records.size(), std::min<std::size_t>(most, 3));
+  }
+  auto subject = fake_oneshot("exit2-behind-records");
+  EXPECT_EQ(run(*subject, "G0\n", 1).end.kind, Kind::stopped);
 }
 
 TEST(OneshotSubject, AnyOtherEndIsACrashAndNoRejection) {

@@ -65,6 +65,27 @@ TEST(PipeSubject, ASkipNamesItsFeature) {
   EXPECT_EQ(end.feature, "g116");
 }
 
+// J-RUN-05: also where the sink has seen enough before.
+TEST(PipeSubject, ASkipIsOneWhateverRecordsCameBefore) {
+  for (const char* mode : {"skip-beside-records", "skip-behind-parts"}) {
+    for (const std::size_t most : {1U, 1000U}) {
+      auto subject = fake_pipe(mode);
+      const RunEnd end = run(*subject, "G0 X1\n", most).end;
+      EXPECT_EQ(end.kind, Kind::skip) << mode << ": " << end.message;
+      EXPECT_EQ(end.feature, "g116");
+    }
+  }
+}
+
+// 101 records in as many parts.
+TEST(PipeSubject, ARunThatTheSinkStopsInItsPartsLeavesTheNextWhole) {
+  auto subject = fake_pipe("parts");
+  const Ran ran = run(*subject, "G0 X1\n", 5);
+  EXPECT_EQ(ran.end.kind, Kind::stopped);
+  EXPECT_EQ(ran.records.size(), 5U);
+  EXPECT_EQ(run(*subject).records.size(), 101U);
+}
+
 TEST(PipeSubject, AnErrorIsNotACrash) {
   EXPECT_EQ(pipe_end("error").kind, Kind::error);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "subjects/start_reply.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace gonogo::oracle {
@@ -60,6 +61,20 @@ TEST(StartReply, ReadsTheNumericDeclaration) {
   EXPECT_EQ(info.feed_resolution, Number(1) / Number(10));
   EXPECT_EQ(info.chord, Number(0));
   EXPECT_EQ(info.max_in_flight, 256);
+}
+
+// A number of a record may be a root or an enclosure; nothing is rounded to a multiple of one.
+TEST(StartReply, WhatIsRoundedToIsADecimal) {
+  for (const char* key : {"resolution", "feed_resolution", "chord"}) {
+    for (const char* form : {R"({"root":["0","1/10000","2"]})", R"({"root":["0","1","4"]})",
+                             R"({"enclosure":["0.001","0.001"]})"}) {
+      auto reply = read(with(fmt::format(R"(,"numeric":{{"{}":{}}})", key, form)));
+      const auto* fault = std::get_if<JsonFault>(&reply);
+      ASSERT_NE(fault, nullptr) << key << form;
+      EXPECT_EQ(fault->message,
+                fmt::format("\"{}\" must be a decimal in quotes, no root and no enclosure.", key));
+    }
+  }
 }
 
 TEST(StartReply, NamesTheReadingsThatTheSubjectKnows) {

@@ -111,7 +111,9 @@ function showFindings() {
 function findingRow(finding) {
   const clause = catalog.get(finding.clause);
   const cycles = Object.entries(finding.cycles).sort((a, b) => b[1] - a[1]);
-  return el('tr', {}, el('th', { scope: 'row' }, badge(finding.verdict), ' ', el('span', { class: 'mono' }, finding.clause),
+  const verdicts = Object.entries(finding.verdicts);
+  const badges = verdicts.flatMap(([verdict, n]) => [badge(verdict), verdicts.length > 1 ? ` ${count(n)} ` : ' ']);
+  return el('tr', {}, el('th', { scope: 'row' }, ...badges, el('span', { class: 'mono' }, finding.clause),
     el('div', { class: 'level' }, finding.text.replace(/^[^(]*/, '').replace(/[()]/g, ''))),
   el('td', {}, clause ? clause.text : finding.smallest.message),
   el('td', {}, casesButton(count(finding.cases), () => { byId('by-finding').value = String(finding.number); })),
@@ -149,6 +151,9 @@ function showRun() {
   fact('Tolerance', header.tolerance != null ? `${exactText(header.tolerance)} mm, set by the certifier` : 'as the subject and the profile declare it');
   fact('Chord', header.chord != null ? `${exactText(header.chord)} mm` : 'none');
   if (header.feed_resolution != null) fact('Feed resolution', `${exactText(header.feed_resolution)}, set by the certifier`);
+  if (header.blend != null) fact('Blend', `${exactText(header.blend)} mm, set by the certifier`);
+  if (header.feed_tolerance != null) fact('Feed tolerance', `${exactText(header.feed_tolerance)} %, set by the certifier`);
+  if (header.show_ids === true) fact('Names of cases', 'are told to the subject (--show-ids)');
   fact('Advices', header.strict ? 'are NO-GO (--strict)' : 'are told, and are no NO-GO');
   fact('Seed, shard', `${header.seed ?? '?'}, ${header.shard ?? '?'}`);
   fact('Command', Array.isArray(header.argv) ? header.argv.map((word) => quoted(String(word))).join(' ') : '', true);

@@ -10,6 +10,7 @@
 #include "publish/evidence/certificate_files.hpp"
 #include "publish/evidence/rejudge.hpp"
 #include "publish/evidence/verify.hpp"
+#include "publish/evidence/verify_header.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/records/trace_reader.hpp"
 #include "tests/publish/evidence/results_files.hpp"
@@ -204,6 +205,55 @@ TEST_F(Certificate, AVerdictThatProgramAndTraceDoNotGiveIsFound) {
   ASSERT_FALSE(write(results_text({kG94Pass, line.dump()}, "NO-GO")));
   EXPECT_TRUE(faults().starts_with("gsk.g94.000002: the deviation was 77, but judged again it is "))
       << faults();
+}
+
+// X60 is a diameter; the pass is derived from the line, for no trace is kept.
+TEST_F(Certificate, AKnownFailureThatPassesIsDerivedFromItsLine) {
+  const auto line = [](const std::string& verdict, const std::string& x) {
+    return R"({"id":"c.1","dialect":"gsk988ta","cycle":"basic","clauses":[],"verdict":")" +
+           verdict + R"(","message":"x","program":"G00 X60 Z5\nM30\n",)" +
+           R"("trace":[{"k":"rapid","b":1,"to":{"x":")" + x +
+           R"(","z":"5"}},{"k":"m","b":2,"m":30}]})";
+  };
+  const RunTolerances run = run_tolerances(Json::parse(kHeaderLine));
+  const Rejudged again = rejudge(Json::parse(line("xpass", "30")), run);
+  EXPECT_TRUE(again.judged);
+  EXPECT_EQ(again.fault, "");
+  EXPECT_FALSE(rejudge(Json::parse(line("xpass", "31")), run).judged);
+}
+
+// J-RUN-13: what the header says and its command line does, by value.
+TEST(HeaderFaults, AreOfValuesAndNotOfTheirSpelling) {
+  const auto faults = [](const std::string& told, const std::string& words) {
+    return header_faults(
+        Json::parse("{" + told + R"("shard":"1/1","argv":["certify",)" + words + "]}"));
+  };
+  EXPECT_TRUE(faults(R"("strict":true,)", R"("--strict=true")").empty());
+  EXPECT_TRUE(faults(R"("strict":true,)", R"("--strict=no","--strict")").empty());
+  EXPECT_TRUE(faults("", R"("--strict=false")").empty());
+  EXPECT_EQ(faults(R"("strict":true,)", R"("--strict=0")").size(), 1U);
+  EXPECT_EQ(faults("", R"("--strict=on")").size(), 1U);
+  EXPECT_TRUE(faults(R"("seed":7,)", R"("--seed","007")").empty());
+  EXPECT_EQ(faults(R"("seed":8,)", R"("--seed","007")").size(), 1U);
+  EXPECT_TRUE(faults(R"("feed_tolerance":"5",)", R"("--feed-tolerance","5.0")").empty());
+  EXPECT_EQ(faults("", R"("--feed-tolerance","300")").size(), 1U);
+  EXPECT_EQ(faults(R"("feed_tolerance":"5",)", R"("--fail-fast")").size(), 1U);
+  EXPECT_TRUE(faults(R"("show_ids":true,)", R"("--show-ids")").empty());
+  EXPECT_EQ(faults("", R"("--show-ids")").size(), 1U);
+}
+
+TEST_F(Certificate, StatesWhatWasToldAndGrantedBesides) {
+  std::string text = results_text({kG94Pass});
+  const std::string from = R"("chord":null,)";
+  text.replace(text.find(from), from.size(), from + R"("feed_tolerance":"300","show_ids":true,)");
+  ASSERT_FALSE(write(text));
+  const Json root = Json::parse(scratch_.read("certificate/statement.json"));
+  EXPECT_EQ(root["feed_tolerance"], "300");
+  EXPECT_EQ(root["show_ids"], true);
+  const std::string page = scratch_.read("certificate/STATEMENT.md");
+  EXPECT_NE(page.find("- Feed tolerance: 300 %, granted by the certifier\n"), std::string::npos);
+  EXPECT_NE(page.find("- Names of cases: are told to the subject"), std::string::npos);
+  EXPECT_NE(page.find("granted: feed tolerance 300 %, names of cases"), std::string::npos);
 }
 
 TEST_F(Certificate, ResultsOfAnotherRunAreFound) {

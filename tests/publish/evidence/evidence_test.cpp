@@ -2,8 +2,11 @@
 #include "publish/evidence/evidence.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "publish/evidence/case_row.hpp"
 #include "publish/evidence/junit.hpp"
@@ -117,6 +120,72 @@ TEST_F(Evidence, JunitHasASuiteADialectWithItsNumbers) {
 TEST_F(Evidence, JunitSaysThatARunIsIncomplete) {
   write(std::string(kHeaderLine) + "\n" + kPass + "\n");
   EXPECT_NE(read("junit.xml").find("<error type=\"incomplete\""), std::string::npos);
+}
+
+// A run whose cases are all GO, NO-GO for what its own files say.
+std::string stale_run() {
+  std::string text = results_text({kPass}, "NO-GO");
+  const std::string from = R"("assignments":[])";
+  return text.replace(text.find(from), from.size(),
+                      from + R"(,"stale":["known failure a <b>: no case has this id",)"
+                             R"("alarm map E9: no case met it"])");
+}
+
+TEST_F(Evidence, AStaleEntryIsAnErrorOfTheRunInJunit) {
+  write(stale_run());
+  const std::string xml = read("junit.xml");
+  EXPECT_NE(xml.find("<testsuites name=\"gonogo\" tests=\"3\" failures=\"0\" errors=\"2\""),
+            std::string::npos)
+      << xml;
+  EXPECT_NE(xml.find("<testsuite name=\"run\" tests=\"2\" failures=\"0\" errors=\"2\""),
+            std::string::npos);
+  EXPECT_NE(xml.find("name=\"known failure a &lt;b&gt;: no case has this id\""), std::string::npos);
+  EXPECT_EQ(occurrences(xml, "<error type=\"stale\" message=\"An entry of the subject"), 2U);
+}
+
+TEST_F(Evidence, AStaleEntryIsAResultOfSarif) {
+  write(stale_run());
+  const json run = sarif();
+  ASSERT_EQ(run["results"].size(), 2U);
+  const json& result = run["results"][0];
+  EXPECT_EQ(result["ruleId"], "stale");
+  EXPECT_EQ(result["level"], "error");
+  EXPECT_EQ(result["message"]["text"],
+            "An entry of the subject's files is stale: known failure a <b>: no case has this id");
+  EXPECT_EQ(result["locations"][0]["logicalLocations"][0]["name"],
+            "known failure a <b>: no case has this id");
+  EXPECT_NE(result["partialFingerprints"], run["results"][1]["partialFingerprints"]);
+  EXPECT_EQ(run["tool"]["driver"]["rules"][0]["id"], "stale");
+  // As for any other NO-GO.
+  EXPECT_EQ(run["invocations"][0]["executionSuccessful"], true);
+}
+
+TEST_F(Evidence, AStaleEntryIsWhatTheBadgeAndTheSummarySayFirst) {
+  write(stale_run());
+  EXPECT_EQ(json::parse(read("badge.json"))["message"],
+            "NO-GO \u00b7 1 known failure is stale, 1 entry of the alarm map is stale \u00b7 1 "
+            "judged");
+  EXPECT_NE(read("summary.md")
+                .find("NO-GO: 1 known failure is stale, 1 entry of the alarm map is "
+                      "stale; 1 judged"),
+            std::string::npos);
+}
+
+// The page is longer than this, and the other views are not.
+TEST_F(Evidence, NoViewOfAnotherRunStaysWhereADiskIsFull) {
+  write(all_kinds());
+  const std::string next = scratch_.write("in/next.jsonl", results_text({kPass}));
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{1U << 15, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  EXPECT_THROW(write_evidence(next, (scratch_.path() / "out").string()), std::system_error);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_FALSE(scratch_.has("out/index.html"));
+  EXPECT_EQ(read("results.jsonl"), results_text({kPass}));
+  EXPECT_EQ(json::parse(read("badge.json"))["message"], "GO \u00b7 1 judged");
 }
 
 TEST(Junit, EveryVerdictHasItsPlace) {

@@ -72,9 +72,25 @@ TEST(Findings, one_class_of_alarm_that_is_not_due_is_one_finding) {
   findings.add(departing("d", "NGC-CYC-22", 5, other, alarm), VerdictKind::fail_alarm_class);
   ASSERT_EQ(findings.list().size(), 1U);
   EXPECT_EQ(findings.list()[0]->line(),
-            "4 x fail.alarm-spurious (not due: missing-word), smallest: a, 2 blocks");
+            "3 x fail.alarm-spurious, 1 x fail.alarm-class (not due: missing-word), smallest: a, 2 "
+            "blocks");
+  EXPECT_EQ(findings.list()[0]->text(),
+            "fail.alarm-spurious and fail.alarm-class (not due: missing-word)");
   findings.add(departing("e", "NGC-CYC-22", 5, alarm, other), VerdictKind::fail_alarm_class);
   EXPECT_EQ(findings.list().size(), 2U);
+}
+
+// The table of verdicts beside it counts the same cases.
+TEST(Findings, a_heading_names_no_verdict_that_none_of_its_cases_has) {
+  Findings findings;
+  const char* const alarm = R"({"k":"alarm","class":"missing-word","b":3})";
+  const char* const due = R"({"class":"value-sign","b":3})";
+  findings.add(departing("a", "NGC-CYC-22", 5, due, alarm), VerdictKind::fail_alarm_class);
+  findings.add(departing("b", "NGC-CYC-22", 6, due, alarm), VerdictKind::fail_alarm_class);
+  ASSERT_EQ(findings.list().size(), 1U);
+  EXPECT_EQ(
+      findings.list()[0]->line(),
+      "2 x fail.alarm-class at NGC-CYC-22 (missing-word for value-sign), smallest: a, 5 blocks");
 }
 
 TEST(Findings, motions_of_a_block_that_is_over_are_one_finding) {
@@ -201,6 +217,24 @@ TEST(FindingText,
       "got arc X1 in G18 about X1 Z2 counterclockwise in 3 turns F9 a revolution");
   EXPECT_EQ(want_and_got(R"({"k":"m","b":3,"m":2})", R"({"k":"m","b":2,"m":2})"),
             "want M2 in line 3 / got M2 in line 2");
+}
+
+// 0.25 times the root of 73 is 2.136000936...; the root of 2 is 1.414213562...
+TEST(FindingText, a_root_or_an_enclosure_is_a_decimal_wherever_it_stands) {
+  const std::string lead = R"({"root":["0","0.25","73"]})";
+  const std::string root = R"({"root":["0","1","2"]})";
+  const std::string between = R"({"enclosure":["1.4142135623730949","1.4142135623730951"]})";
+  EXPECT_EQ(
+      short_step(R"({"k":"thread","b":2,"to":{"x":"20"},"lead":)" + lead + R"(,"start":"0"})"),
+      "thread X20 lead 2.136000936... start 0");
+  EXPECT_EQ(
+      short_step(R"({"k":"thread","to":{"x":)" + root + R"(},"lead":"1","start":)" + between + "}"),
+      "thread X1.414213562... lead 1 start 1.414213562...");
+  EXPECT_EQ(short_step(R"({"k":"dwell","s":)" + between + "}"), "dwell s 1.414213562...");
+  EXPECT_EQ(short_step(R"({"k":"feed","to":{"a":"9"},"f":)" + root + "}"),
+            "feed A9 F1.414213562...");
+  EXPECT_EQ(short_step(R"({"k":"level","centre":{"x":)" + between + R"(},"step":)" + root + "}"),
+            "a layer about X1.414213562... step 1.414213562...");
 }
 
 // All that a finding has, in one order for all who tell it.

@@ -142,11 +142,12 @@ test('the report folder of a hostile run is valid and stays in its folder', () =
   const out = join(work, 'hostile-out');
   execFileSync(gonogo, ['report', hostileFile(), '--out', out]);
   const log = validFolder(out);
-  assert.equal(log.runs[0].results.length, 7 * 7);  // all but pass-exact and skip
+  // All but pass-exact and skip, and each stale entry.
+  assert.equal(log.runs[0].results.length, 7 * 7 + 7);
   assert.ok(!existsSync(join(work, 'etc')));
-  // Every case of the file is a test case.
+  // Every case of the file is a test case, and so is each stale entry.
   const xml = read(join(out, 'junit.xml'));
-  assert.equal(xml.match(/<testcase /g).length, 7 * 9);
+  assert.equal(xml.match(/<testcase /g).length, 7 * 9 + 7);
   // Nothing of it is markup in the summary.
   const summary = withoutCode(read(join(out, 'summary.md')).replace(/^(`{3,})\n[^]*?\n\1$/gm, ''));
   assert.doesNotMatch(summary, /<script>/);

@@ -73,6 +73,8 @@ int run(const std::string& mode, const std::vector<std::string>& arguments) {
     std::cerr << "no G116 here\n";
     return 3;
   }
+  if (mode == "exit3-behind-records") return print(kRecord + "\n" + kRecord + "\n" + kRecord, 3);
+  if (mode == "exit2-behind-records") return print(kRecord + "\n" + kRecord, 2);
   if (mode == "abort") std::abort();
   if (mode == "garbage") return print("G1 X1", 0);
   if (mode == "cut") {

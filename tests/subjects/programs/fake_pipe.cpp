@@ -64,6 +64,10 @@ void long_line(const std::string& seq, std::size_t bytes) {
   std::cout << "\",\"outcome\":\"error\"}\n" << std::flush;
 }
 
+void skip(const std::string& seq, const std::string& records) {
+  answer(seq, ",\"outcome\":\"skip\",\"feature\":\"g116\",\"records\":[" + records + "]");
+}
+
 void many_parts(const std::string& seq) {
   for (int i = 0; i < 100; ++i) answer(seq, ",\"records\":[" + kRecord + "],\"more\":true");
   answer(seq, ",\"outcome\":\"ok\",\"records\":[" + kRecord + "]");
@@ -136,6 +140,12 @@ const std::map<std::string, Action>& actions() {
       {"skip",
        [](auto& seq, auto&) {
          answer(seq, ",\"outcome\":\"skip\",\"feature\":\"g116\",\"message\":\"not yet\"");
+       }},
+      {"skip-beside-records", [](auto& seq, auto&) { skip(seq, kRecord + "," + kRecord); }},
+      {"skip-behind-parts",
+       [](auto& seq, auto&) {
+         for (int i = 0; i < 100; ++i) answer(seq, ",\"records\":[" + kRecord + "],\"more\":true");
+         skip(seq, "");
        }},
       {"error",
        [](auto& seq, auto&) { answer(seq, ",\"outcome\":\"error\",\"message\":\"sorry\""); }},

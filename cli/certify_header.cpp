@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/certify_header.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "cli/gauge.hpp"
+#include "cli/options.hpp"
+#include "cli/program_file.hpp"
+#include "cli/sandbox_options.hpp"
+#include "cli/version.hpp"
+#include "corpus/io/sha256.hpp"
+#include "reference/dialect.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+// The hash of a file; nothing without one.
+std::string sha256_of(const std::string& path) {
+  if (path.empty()) return {};
+  oracle::Sha256 hash;
+  hash.update(read_file(path, "a file"));
+  return hash.hex();
+}
+
+// What the subject declares and the machine of each dialect, as it is without the profiles of the
+// cases, does not admit.
+std::vector<std::pair<std::string, oracle::Capped>> capped_declarations(
+    const oracle::CampaignOptions& campaign, const oracle::SubjectInfo& info) {
+  std::vector<std::pair<std::string, oracle::Capped>> found;
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    const std::string name(dialect.name);
+    const bool asked = campaign.dialects.empty() ||
+                       std::ranges::find(campaign.dialects, name) != campaign.dialects.end();
+    if (!asked || !info.declares(name, "")) continue;
+    const bool is_set = campaign.profile && campaign.profile->dialect == name;
+    const auto machine =
+        is_set ? *campaign.profile : std::get<reference::Profile>(reference::default_profile(name));
+    for (oracle::Capped& one : oracle::capped(info, machine, campaign.grants)) {
+      found.emplace_back(name, std::move(one));
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+oracle::ResultsHeader results_header(const CertifyOptions& options, const std::string& subject,
+                                     const oracle::Corpus& corpus,
+                                     const oracle::CampaignOptions& campaign,
+                                     const oracle::SubjectInfo& info) {
+  oracle::ResultsHeader header;
+  header.version = kVersion;
+  header.commit = gauge_commit();
+  header.program_sha256 = gauge_sha256();
+  header.corpus_version = corpus.version();
+  header.corpus_sha256 = corpus.sha256();
+  header.subject_spec = subject;
+  header.subject = info;
+  if (campaign.profile) {
+    header.profile = reference::profile_json(*campaign.profile);
+    header.machine = campaign.profile->dialect;
+    header.machine_keys = campaign.profile_keys;
+  }
+  header.readings = options.readings;
+  header.dialects = options.dialects;
+  header.only = options.only;
+  header.cases = options.cases;
+  header.cycles = options.cycles;
+  header.clauses = options.clauses;
+  header.known_failures_sha256 = sha256_of(options.known_failures);
+  header.alarm_map_sha256 = sha256_of(options.alarm_map);
+  const oracle::Grants& grants = campaign.grants;
+  if (grants.tolerance) header.tolerance = grants.tolerance->text();
+  if (grants.chord) header.chord = grants.chord->text();
+  if (grants.feed_resolution) header.feed_resolution = grants.feed_resolution->text();
+  header.strict = grants.strict;
+  header.sandbox = sandbox_name(campaign.limits, subject);
+  if (campaign.limits.capture.blend) header.blend = campaign.limits.capture.blend->text();
+  if (const auto percent =
+          decimal_option(options.limits.feed_tolerance, "--feed-tolerance", "percent")) {
+    header.feed_tolerance = percent->text();
+  }
+  header.show_ids = campaign.limits.show_ids;
+  header.seed = campaign.seed;
+  header.capped = capped_declarations(campaign, info);
+  header.shard = options.shard;
+  header.argv = options.argv;
+  return header;
+}
+
+}  // namespace gonogo::cli
