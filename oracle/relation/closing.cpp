@@ -246,6 +246,7 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
   if (!is_class && is_other_name(report, outcome_.alarm->alarm_class) && !tolerances_.strict) {
     offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text says which alarm it is."));
   }
+  if (!is_class) close_by_alarm(place);
   if (!is_class && !alarms_before()) return;
   Answer answer = at_place(place, VerdictKind::pass_tolerance, Rule::none, "");
   answer.clause = reference::kNoClause;

@@ -283,5 +283,21 @@ TEST(Agreement, WhoRunsThroughAnAlarmMissesIt) {
   EXPECT_EQ(decide(kProgram, late, {.m = false}).kind, oracle::VerdictKind::fail_alarm_late);
 }
 
+// F0 leaves no feed, which is an alarm; whether the value is one, no text says (SIE-COM-06, R7).
+TEST(Agreement, AnAlarmOfABlockThatAlarmsMayAnswerAnUnstatedRuleOfIt) {
+  constexpr std::string_view kProgram = "G0 X10 M3 S100\nG1 X20 F0\nM30\n";
+  const auto said = [&](std::string_view alarm) {
+    return both(kProgram,
+                fmt::format(R"({{"k":"rapid","b":1,"to":{{"x":"10"}}}}
+{{"k":"alarm","b":2,"class":"{}"}}
+)",
+                            alarm),
+                {.dialect = "sinumerik840d", .m = false});
+  };
+  EXPECT_EQ(said("feed-missing"), "GO");
+  EXPECT_EQ(said("value-out-of-range"), "advice");
+  EXPECT_EQ(said("syntax"), "NO-GO");
+}
+
 }  // namespace
 }  // namespace gonogo::relation
