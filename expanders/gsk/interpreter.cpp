@@ -110,7 +110,7 @@ void Interpreter::check_words() {
 }
 
 // GSK-MOD-07, and F: what earlier blocks have left, where the modes of the block are others.
-void Interpreter::take_changes(const State& before) {
+void Interpreter::take_changes(const Measures& before) {
   State& state = machine_.state;
   const bool other_lengths = state.inch != before.inch || state.plane != before.plane;
   if (other_lengths && machine_.follows("gsk.retained=clear"_reading)) state.turning = {};
@@ -119,8 +119,8 @@ void Interpreter::take_changes(const State& before) {
   }
   if (state.inch != before.inch && machine_.follows("gsk.retained=number"_reading)) {
     const auto rescale = [&](Retained& word) {
-      const Fixed times = state.inch ? 254 : 10;
-      word.value = static_cast<Fixed>(scaled(word.value, times, 264 - times));
+      word.value = static_cast<Fixed>(state.inch ? scaled(word.value, 254, 10)
+                                                 : scaled(word.value, 10, 254));
     };
     for (Retained& word : state.turning.end) rescale(word);
     rescale(state.turning.taper);
@@ -131,7 +131,7 @@ void Interpreter::take_changes(const State& before) {
 
 void Interpreter::take_codes() {
   State& state = machine_.state;
-  const State before = state;
+  const Measures before{state.plane, state.inch, state.per_revolution};
   if (const Code* units = block().code(Group::kUnits)) state.inch = units->tenths == 200;
   if (const Code* plane = block().code(Group::kPlane)) state.plane = &plane_of(plane->tenths / 10);
   if (const Code* mode = block().code(Group::kFeedMode)) {

@@ -35,7 +35,13 @@ class Interpreter final : public LetterInterpreter {
   void prepare(Plan& plan) override;
   Moment moment_of(Fixed m) const override;
   void take_codes();
-  void take_changes(const State& before);
+  /// What lengths and feeds are counted in.
+  struct Measures {
+    const Plane* plane;
+    bool inch;
+    bool per_revolution;
+  };
+  void take_changes(const Measures& before);
   void take_feed(bool repeats_cycle);
   void take_motion_code();
   void take_cycle_code();

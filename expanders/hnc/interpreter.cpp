@@ -181,9 +181,8 @@ void Interpreter::take_units(bool inch) {
   state.inch = inch;
   if (!changes || !state.feed_programmed) return;
   if (!machine_.follows("hnc.feed-units=number"_reading)) return;
-  const Fixed times = inch ? 254 : 10;
   for (Fixed* feed : {&state.feed, &state.store.feed}) {
-    *feed = static_cast<Fixed>(scaled(*feed, times, 264 - times));
+    *feed = static_cast<Fixed>(inch ? scaled(*feed, 254, 10) : scaled(*feed, 10, 254));
   }
 }
 

@@ -51,7 +51,7 @@ class Interpreter : public BlockInterpreter {
   void run_subprogram(const BlockWords& words, std::uint64_t line, BlockOutput& out);
   void take_spindle(const grammar::Block& block);
   void take_modes(const BlockCodes& codes, std::uint64_t line);
-  void take_overrides(const BlockWords& words);
+  void take_overrides(const BlockContext& block);
   void take_tool(const BlockWords& words, BlockOutput& out);
   void take_motion(int code);
   void move_out(const Position& at, BlockOutput& out) const;
@@ -156,17 +156,16 @@ void Interpreter::take_spindle(const grammar::Block& block) {
 }
 
 // NGC-SAV-01: what M72 would have to restore. M50 to M53 switch off with P0, and on without P.
-void Interpreter::take_overrides(const BlockWords& words) {
+void Interpreter::take_overrides(const BlockContext& block) {
+  const MFunctions& functions = block.functions;
+  if (functions.none()) return;
   Overrides& overrides = machine_.overrides;
-  const bool is_on = !words.has('P') || words.written('P').sign() != 0;
-  for (const grammar::Word& word : words.block().words) {
-    const std::int64_t number = word.address == 'M' ? m_number(word, readings_).value_or(0) : 0;
-    if (number == 48 || number == 49) overrides.feed = overrides.speed = number == 48;
-    if (number == 50) overrides.feed = is_on;
-    if (number == 51) overrides.speed = is_on;
-    if (number == 52) overrides.adaptive_feed = is_on;
-    if (number == 53) overrides.feed_hold = is_on;
-  }
+  const bool is_on = !block.words.has('P') || block.words.written('P').sign() != 0;
+  if (functions[48] || functions[49]) overrides.feed = overrides.speed = functions[48];
+  if (functions[50]) overrides.feed = is_on;
+  if (functions[51]) overrides.speed = is_on;
+  if (functions[52]) overrides.adaptive_feed = is_on;
+  if (functions[53]) overrides.feed_hold = is_on;
 }
 
 // NGC-OFS-08: T selects a tool, M6 loads it, M61 says which one is loaded; all before G43.
@@ -449,7 +448,7 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters};
   context.functions = m_functions_of(block, readings_);
   saved_.take(context);
-  take_overrides(words);
+  take_overrides(context);
   const bool has_diameters = machine_.modes.diameter;
   const Plane plane = machine_.plane;
   take_modes(codes, line);

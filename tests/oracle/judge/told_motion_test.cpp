@@ -31,6 +31,8 @@ void expect_told(const Verdict& verdict, const std::string& trace, const Told& e
   EXPECT_EQ(verdict.message, expected.message);
 }
 
+constexpr std::string_view kFiveTurns = "G00 X70 Z70 Y30\nG18\nG112 X70 Z70 Y20 I8 L5 D4 F200\n";
+
 // GSK-G112-05: from Y30, 2 mm a turn, to Y20. Four of the five turns end at Y22, 2 mm too high.
 TEST(ToldMotion, AHelixThatEndsAboveTheBottomIsNamedAndNotTheArcBehindIt) {
   TraceText trace(1, 200);
@@ -38,11 +40,10 @@ TEST(ToldMotion, AHelixThatEndsAboveTheBottomIsNamedAndNotTheArcBehindIt) {
   trace.arc("G18", {{'z', 72}, {'x', 35}}, -1, {{'z', 74}, {'x', 35}});
   trace.arc("G18", {{'z', 70}, {'x', 35}}, -4, {{'z', 74}, {'x', 35}, {'y', 22}});
   TraceText ends = trace;
-  const std::string_view program = "G00 X70 Z70 Y30\nG18\nG112 X70 Z70 Y20 I8 L5 D4 F200\n";
   const Told helix = {"\"rot\":-4", "R2", "2", "The helix ends before the bottom of the pocket."};
-  expect_told(judge_trace(program, ends.text()), ends.text(), helix);
+  expect_told(judge_trace(kFiveTurns, ends.text()), ends.text(), helix);
   trace.arc("G18", {{'z', 72}, {'x', 35}}, -1, {{'z', 70}, {'x', 35}}).rapid({{'y', 30}});
-  expect_told(judge_trace(program, trace.text()), trace.text(), helix);
+  expect_told(judge_trace(kFiveTurns, trace.text()), trace.text(), helix);
 }
 
 // A hundredth of a millimetre in a hundred turns: a turn fewer leads to the same place.
@@ -61,18 +62,23 @@ TEST(ToldMotion, AHelixWithATurnFewerSaysHowManyCame) {
        "The helix ends beside the place that its whole turns lead to. It makes 99 of 100 turns."});
 }
 
-// Half a turn of the flat circle of radius 4 leads from Z74 to Z66, 8 mm from where
-// the whole one ends.
-TEST(ToldMotion, AFlatCircleThatEndsHalfWayIsNamed) {
+// Behind the five turns half an arc about their centre, and the way up.
+TraceText half_a_flat_circle() {
   TraceText trace(1, 200);
   trace.rapid({{'x', 35}, {'y', 30}, {'z', 70}}).block(3, 200);
   trace.arc("G18", {{'z', 72}, {'x', 35}}, -1, {{'z', 74}, {'x', 35}});
   trace.arc("G18", {{'z', 70}, {'x', 35}}, -5, {{'z', 74}, {'x', 35}, {'y', 20}});
   trace.arc("G18", {{'z', 70}, {'x', 35}}, -1, {{'z', 66}, {'x', 35}}).rapid({{'y', 30}});
+  return trace;
+}
+
+// Half a turn of the flat circle of radius 4 leads from Z74 to Z66, 8 mm from where
+// the whole one ends.
+TEST(ToldMotion, AFlatCircleThatEndsHalfWayIsNamed) {
+  const TraceText trace = half_a_flat_circle();
   Judging judging;
   judging.reading = "gsk.helix.flat=on";
-  const Verdict verdict =
-      judge_trace("G00 X70 Z70 Y30\nG18\nG112 X70 Z70 Y20 I8 L5 D4 F200\n", trace.text(), judging);
+  const Verdict verdict = judge_trace(kFiveTurns, trace.text(), judging);
   expect_told(verdict, trace.text(),
               {"\"z\":\"66", "R2", "8", "The cut ends before it is where it has to end."});
 }
@@ -168,15 +174,10 @@ TEST(ToldReadings, ADepartureUnderAReadingThatExpandDoesNotShowNamesIt) {
 // Behind the helix an arc about its centre is half of the flat circle of one alternative, and no
 // semicircle of the other, which `expand` shows: both depart in the pocket.
 TEST(ToldReadings, OfDeparturesThatComeEquallyFarThatOfThePathShownIsTold) {
-  TraceText trace(1, 200);
-  trace.rapid({{'x', 35}, {'y', 30}, {'z', 70}}).block(3, 200);
-  trace.arc("G18", {{'z', 72}, {'x', 35}}, -1, {{'z', 74}, {'x', 35}});
-  trace.arc("G18", {{'z', 70}, {'x', 35}}, -5, {{'z', 74}, {'x', 35}, {'y', 20}});
-  trace.arc("G18", {{'z', 70}, {'x', 35}}, -1, {{'z', 66}, {'x', 35}}).rapid({{'y', 30}});
+  const TraceText trace = half_a_flat_circle();
   Judging judging;
   judging.reading = "gsk.helix.flat=any";
-  const Verdict verdict =
-      judge_trace("G00 X70 Z70 Y30\nG18\nG112 X70 Z70 Y20 I8 L5 D4 F200\n", trace.text(), judging);
+  const Verdict verdict = judge_trace(kFiveTurns, trace.text(), judging);
   EXPECT_EQ(verdict.told_under, "");
   EXPECT_EQ(verdict.record, 3U) << verdict.message;
   EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G112-06");

@@ -13,26 +13,13 @@
 namespace gonogo::relation {
 namespace {
 
-std::string word(oracle::VerdictKind kind) {
-  switch (decision(kind)) {
-    case oracle::Decision::go:
-      return "GO";
-    case oracle::Decision::no_go:
-      return "NO-GO";
-    case oracle::Decision::undecided:
-      return "undecided";
-    default:
-      return "advice";
-  }
-}
-
 // What both say, or how they differ.
 std::string both(std::string_view program, std::string_view trace, const Declared& declared) {
   const oracle::Verdict verdict = judge(program, trace, declared);
   const Answer answer = decide(program, trace, declared);
-  const std::string judged = word(verdict.kind);
-  const std::string defined = word(answer.kind);
-  if (judged == defined) return judged;
+  const std::string_view judged = word(verdict.kind);
+  const std::string_view defined = word(answer.kind);
+  if (judged == defined) return std::string(judged);
   return fmt::format("judge {} ({}), definition {} ({})", judged, verdict.message, defined,
                      answer.message);
 }

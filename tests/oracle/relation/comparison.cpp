@@ -16,19 +16,6 @@ namespace {
 constexpr long kPrinted = 3;
 constexpr std::size_t kMostPrinted = 40;
 
-std::string_view word(VerdictKind kind) {
-  switch (decision(kind)) {
-    case oracle::Decision::go:
-      return "GO";
-    case oracle::Decision::no_go:
-      return "NO-GO";
-    case oracle::Decision::undecided:
-      return "undecided";
-    default:
-      return "advice";
-  }
-}
-
 // Whether the two differ about the limit alone: where the judge is narrower, with the limit of arcs
 // as tau; where it is wider, with twice tau.
 bool is_at_limit(const Task& task, const Trace& trace, const Answer& answer,

@@ -40,6 +40,20 @@ struct Declared {
   std::string chord = {};
   bool at_load = false;  // alarm_timing = program
 };
+// "GO", "NO-GO", "undecided" or "advice".
+inline std::string_view word(oracle::VerdictKind kind) {
+  switch (decision(kind)) {
+    case oracle::Decision::go:
+      return "GO";
+    case oracle::Decision::no_go:
+      return "NO-GO";
+    case oracle::Decision::undecided:
+      return "undecided";
+    default:
+      return "advice";
+  }
+}
+
 Answer decide(std::string_view program, std::string_view trace, const Declared& declared = {});
 // The judge's verdict of the same.
 oracle::Verdict judge(std::string_view program, std::string_view trace, const Declared& declared);
