@@ -75,13 +75,13 @@ class Curve {
   // Whether the motion starts as the curve does and follows it beyond its end: the two are equal
   // except for where they end.
   bool goes_beyond(const CurveProgress& from, const Motion& subject) const;
-  // R3. The chord of an arc that agrees with it; nothing of another motion.
+  // R3. The chord of an arc that agrees with it; nothing for another motion.
   std::optional<Motion> chord() const;
-  // Where a motion that departs is off what is left of the curve, and how far.
+  // Where, and how far, a motion that departs is off what is left of the curve.
   Apart apart(const CurveProgress& from, const Motion& subject) const;
-  // J-CMP-12: of points on a round motion that departs the one that is farthest from what is left
-  // of the curve; of one that goes round the other way on the same circle, from where the curve has
-  // come meanwhile. `known` where none is farther.
+  // J-CMP-12: the point of a round motion that departs which is farthest from what is left of the
+  // curve. If the motion goes round the other way on the same circle, the farthest from where the
+  // curve is after the same angle. `known` where none is farther.
   Apart farthest(const Apart& known, const CurveProgress& from, const Motion& subject) const;
 
  private:
@@ -116,7 +116,8 @@ class Curve {
   bool chord_goes_beyond(const CurveProgress& from, const Motion& subject) const;
   bool ends_at(const Position& point) const;
   bool centre_agrees(const Record& arc) const;
-  // From what is left of the curve; `turns` along it, where it is round. In curve_distance.cpp.
+  // The distance from what is left of the curve; `turns` along it, where it is round. In
+  // curve_distance.cpp.
   Number distance(const CurveProgress& from, const Position& point, double turns) const;
 
   Motion reference_;
@@ -125,8 +126,8 @@ class Curve {
   std::optional<RoundCurve> round_;  // an arc or a circle in space
 };
 
-// By estimates: of two that are as long as each other either will do, and enclosures of one length
-// could not be distinguished.
+// By estimates: either of two that are equally long will do, and enclosures of one length could not
+// be distinguished.
 Axis longest_axis(const Motion& motion);
 
 }  // namespace gonogo::oracle

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Motions of the subject along one curve: all that they may be together.
+// Motions of the subject along one curve: every combination of what each may be.
 #pragma once
 
 #include "oracle/motion/curve.hpp"
@@ -37,7 +37,7 @@ class CurveFollower {
   std::vector<CurveProgress> reached_{1};
 };
 
-// Whether two ways along a curve that have come as far as these go on alike: R2.
+// R2: whether two ways along a curve that have come as far as these continue alike.
 bool goes_on_alike(const CurveProgress& one, const CurveProgress& other);
 
 }  // namespace gonogo::oracle

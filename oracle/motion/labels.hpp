@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// R3. The numbers of a record beside its places: feed, lead, start angle, dwell. What an
-// enclosure leaves open is undecided only where its width decides: then they throw
-// exact::Undecided.
+// R3. The numbers of a record beside its places: feed, lead, start angle, dwell. The functions
+// throw exact::Undecided where the width of an enclosure decides.
 #pragma once
 
 #include <optional>
@@ -26,7 +25,7 @@ bool leads_agree(const Record& want, const Record& got, const Tolerances& tolera
 bool start_angles_agree(const Record& want, const Record& got, const Tolerances& tolerances);
 // Compares two dwells.
 bool times_agree(const Record& want, const Record& got, const Tolerances& tolerances);
-// R3: whether a dwell of no time, which is no event, stands for it when it is rounded.
+// R3: whether a dwell of no time, which is no event, stands for the dwell when that is rounded.
 bool may_be_no_dwell(const Record& dwell, const Tolerances& tolerances);
 
 }  // namespace gonogo::oracle

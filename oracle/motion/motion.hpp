@@ -31,10 +31,10 @@ constexpr bool is_round(RecordKind kind) {
   return kind == RecordKind::arc || kind == RecordKind::arc3;
 }
 
-// What a motion of the reference has to say of its end: the linear axes that its record names and
-// that it moves along, as far as a look tells. A subject may name more of them or fewer.
+// What a motion of the reference says of its end: the linear axes that its record names and along
+// which it moves, as far as a look shows. A subject may name more of them or fewer.
 bool tells_end(const Motion& motion, Axis axis);
-// How many coordinates that are, with those of the centre of an arc.
+// How many coordinates that is, with those of an arc's centre.
 std::size_t coordinates_in(const Motion& motion);
 
 // The motion of a record that starts at `from`: axes that the record does not name stay.
@@ -77,10 +77,10 @@ bool nearly_full_turn(const Motion& motion);
 // Whether a motion whose ends agree within the tolerance goes round nevertheless: an arc of more
 // than half a turn, a circle in space whose intermediate point lies elsewhere.
 bool goes_round(const Motion& motion, const Number& tolerance);
-// As a double, for estimates: to 2^-60, or the width of an interval of which no more is known.
+// As a double, for estimates: to 2^-60, or to the width of an enclosure.
 double estimate(const Number& value);
-// Two units in the last place of a double of that size, which an operation of a control in doubles
-// and the conversion of its operand may be off by.
+// Two units in the last place of a double of that size: by so much an operation of a control in
+// doubles, with the conversion of its operand, may be off.
 Number two_units_of_double(double size);
 // Sweep of an arc in turns, for choosing between whole numbers of turns only.
 double approximate_turns(const Motion& arc);
@@ -92,10 +92,10 @@ Motion straightened(Motion motion);
 // its points lie in line.
 std::optional<Motion> as_arc(const Motion& arc3);
 
-// R1: joins `next` to `motion` when they are of equal kind, feed and block and continue the
-// same line in the same direction, or the same circle in the same sense; rapids, along one axis
-// alone. Circles in space, as long as they are less than a full turn together. What an enclosure
-// leaves open counts as the same line or circle: it is so for all that can be seen.
+// R1: joins `next` to `motion` when they are of equal kind, feed and block and continue the same
+// line in the same direction, or the same circle in the same sense; rapids only along one axis,
+// circles in space only up to a full turn together. What an enclosure leaves open counts as the
+// same line or circle.
 bool join(Motion& motion, const Motion& next);
 
 }  // namespace gonogo::oracle

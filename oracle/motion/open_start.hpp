@@ -35,7 +35,7 @@ class OpenStart {
  private:
   // Convex, counterclockwise, rational; the starts are its points on the circle.
   using Polygon = std::vector<PlaneVector>;
-  // The starts for sure, and those that may be: one and the same unless an enclosure has entered.
+  // The certain starts, and the possible ones: the same unless an enclosure has entered.
   struct Starts {
     Polygon sure;
     Polygon possible;

@@ -8,9 +8,9 @@
 
 namespace gonogo::oracle {
 
-// Whether two points are one place. A motion of exactly the tolerance is none; as the difference of
-// two doubles it comes out longer or shorter by their rounding, so that much more is no difference
-// for a subject that computes in doubles, on either side.
+// Whether two points are one place. A motion of exactly the tolerance is none. As the difference of
+// two doubles it comes out longer or shorter by their rounding: for a subject that computes in
+// doubles that much is no difference, on either side.
 bool same_place(const Position& a, const Position& b, const Tolerances& tolerances);
 
 // Whether the motion starts and ends at this place, and does not go round in between.

@@ -10,8 +10,8 @@
 
 namespace gonogo::oracle {
 
-// Whether the line is this motion's record in JSON, with its keys in the order in which `append_json`
-// writes them, no blanks, and the motion's clause or none. False says nothing: the line has to be read.
+// Whether the line is this motion's record in JSON, with its keys in the order of `append_json`, no
+// blanks, and the motion's clause or none. False says nothing: the line has to be read.
 // REQUIRES: the motion is of a record, whose feed is not negative.
 bool is_line_of(const PlainMotion& motion, std::string_view line);
 

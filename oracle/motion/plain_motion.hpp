@@ -36,11 +36,11 @@ struct PlainMotion {
   // Whether the record, from the same start, is the same motion to the last digit.
   bool is(const Record& record) const;
 
-  // As coordinates_in() says of such a motion.
+  // What coordinates_in() gives for such a motion.
   std::size_t coordinates() const;
 
-  // Whether it is longer than the tolerance along an axis, so that neither side drops it: even
-  // after what a subject's doubles may be off.
+  // Whether it is longer than the tolerance along an axis, by more than a subject's doubles may be
+  // off, so that neither side drops it.
   bool is_visible(const Tolerances& tolerances) const;
 };
 

@@ -6,23 +6,23 @@
 
 #include <optional>
 
-#include "oracle/motion/space_circle.hpp"
 #include "oracle/motion/open_start.hpp"
+#include "oracle/motion/space_circle.hpp"
 
 namespace gonogo::oracle {
 
-// An arc that may begin anywhere on a circle: then the reference's motion is only one of those that
-// are meant, and its ends and centre follow from the starts that are left.
+// An arc that may begin anywhere on a circle: the reference's motion is only one of those that are
+// possible, and their ends and centre follow from the starts that are left.
 struct OpenArc {
   const OpenStart* starts = nullptr;  // about `origin`
-  PlaneVector origin;                   // along p and q
-  Similarity end;                       // the end of the arc, from its start
-  Similarity centre;                    // its centre, from its start
-  Number radius;                        // of the arc
-  Number slack;                         // how far its centre may lie from the motion's
+  PlaneVector origin;                 // along p and q
+  Similarity end;                     // the end of the arc, from its start
+  Similarity centre;                  // its centre, from its start
+  Number radius;                      // of the arc
+  Number slack;                       // how far its centre may lie from the motion's
 };
 
-// Rationals near a point of any numbers, and how far it may lie from them along an axis.
+// A rational point near a point of any numbers, and how far the two may differ along an axis.
 struct RationalPoint {
   explicit RationalPoint(const Position& point);
   SpacePoint at;
@@ -47,8 +47,8 @@ struct ThreePoints {
   bool nearly_lie_in_line(const Number& tolerance) const;
 };
 
-// SIE-CIP-01: whether a control that rounds the points makes another circle of them, a line or an
-// alarm: they lie nearly in line, and not all are decimals that it need not round.
+// SIE-CIP-01: whether a control that rounds the points makes another circle, a line or an alarm of
+// them: they lie nearly in line, and not all are decimals that it need not round.
 bool hangs_on_rounding(const Motion& motion, const Number& tolerance);
 inline constexpr const char* kPointsNearlyInLine =
     "The points of the arc lie in line within the tolerance: rounded, they make another circle, a "
@@ -64,19 +64,19 @@ class RoundCurve {
   // none.
   const Motion* arc() const { return arc_; }
   double whole() const { return whole_; }  // sweep in turns; an estimate
-  // Whether its ends are not equally far from its centre, as far as estimates tell: where they do
-  // not, every point between the two radii will do.
+  // Whether its ends are not equally far from its centre, as far as estimates show: then every
+  // point between the two radii will do.
   bool is_spiral() const;
 
   // Whether a point of the circle that the curve runs on, or of the cylinder of a helix, lies in
   // the box round the point.
   bool on_circle(const Position& point, Number tolerance) const;
   // +1: the axes outside the plane agree at this part of the sweep; -1: they do not; 0: too close
-  // to the tolerance to say. The linear ones alone on demand.
+  // to the tolerance to say. On demand the linear axes alone.
   int on_helix(const Position& point, double turns, const Number& tolerance,
                bool linear_only = false) const;
-  // The same of the distance from the centre, which is linear in the angle where the arc's ends are
-  // not equally far from it.
+  // The same for the distance from the centre, which is linear in the angle where the arc's ends
+  // are not equally far from it.
   int on_spiral(const Position& point, double turns, const Number& tolerance) const;
   // The part of a turn from one point to another in the sense of the curve; an estimate.
   double part_of_turn(const Position& from, const Position& to) const;
@@ -91,7 +91,7 @@ class RoundCurve {
   bool is_surely_off_helix(Axis axis, const Position& point, double turns,
                            const Number& tolerance) const;
   bool is_surely_off_spiral(const Position& point, double turns, const Number& tolerance) const;
-  // What goes linearly with the angle from `first` to `last`, where the box round a point is seen.
+  // What is linear in the angle from `first` to `last`, where the box round a point is seen.
   struct AtAngle;
   std::optional<AtAngle> at_angle(const Position& point, double turns, const Number& tolerance,
                                   const Number& first, const Number& last) const;

@@ -11,8 +11,8 @@
 
 namespace gonogo::oracle {
 
-// x, y, z; also a vector. What the kernel of reference/geometry/ says of it, for code that does
-// without it.
+// x, y, z; also a vector. It has the operations of the kernel of reference/geometry/, for code that
+// does without that kernel.
 using SpacePoint = std::array<Number, 3>;
 
 SpacePoint space_point(const Position& point);

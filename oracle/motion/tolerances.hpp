@@ -23,12 +23,12 @@ struct Tolerances {
   bool compare_blocks = true;                   // feature `blocks`
   bool compare_m = false;                       // feature `m`
   bool strict = false;  // a departure from what no text states is NO-GO, no advice
-  bool measure = true;  // of samples: figures beside the verdict, which take longer
+  bool measure = true;  // for samples: figures beside the verdict, which take longer
   bool skip_equal =
       true;  // false: even equal records are dropped, joined and matched, to the same end
 
-  // R2: of a level of a pocket, mm. Centre and start of an arc are each rounded by half of
-  // the resolution along an axis: 3/sqrt(2) = 2.12 times it is what its points may be off.
+  // R2: for a level of a pocket, mm. Centre and start of an arc are each rounded by half of the
+  // resolution along an axis: its points may be off by 3/sqrt(2) = 2.12 times the resolution.
   Number level_tolerance() const {
     return resolution ? max(tolerance, *resolution * kRoundingEighths / 8) : tolerance;
   }

@@ -25,9 +25,8 @@ Clearance clearance_of_line(const region::PlanePoint& from, const region::PlaneP
 // The whole box that two corners span: the path inside is not known.
 Clearance clearance_of_box(const region::PlanePoint& from, const region::PlanePoint& to,
                            const Keep& keep);
-// Decided by halving within certified enclosures; `undecided` where that does not end. The
-// witness of an arc lies within 1e-9 of it. What comes before the part `from` of its sweep, in
-// [0, 1), does not count.
+// Halves within certified enclosures; `undecided` where that does not end. The witness of an arc
+// lies within 1e-9 of it. The part of the sweep before `from`, in [0, 1), does not count.
 Clearance clearance_of_arc(const region::LevelMotion& arc, const Keep& keep,
                            const exact::Number& from = exact::Number(0));
 

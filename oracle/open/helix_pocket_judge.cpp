@@ -56,7 +56,7 @@ std::optional<Verdict> HelixPocketJudge::end(const Position& here) {
 }
 
 // Above the centre, as before it.
-OpenStep::Exit HelixPocketJudge::exit(const Position& /*here*/) const {
+FreeStep::Exit HelixPocketJudge::exit(const Position& /*here*/) const {
   Position at = place_;
   at[axes_.d] = item_.bottom;
   return {at};
@@ -97,9 +97,9 @@ Verdict HelixPocketJudge::incomplete(const Position& position) const {
                        position, "The pocket is not milled to its end.");
 }
 
-OpenStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion& motion) const {
+FreeStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion& motion) const {
   if (result.departure == Departure::undecided)
-    return OpenStepAnswer::gap(result.gap, result.reason);
+    return FreeStepAnswer::gap(result.gap, result.reason);
   Verdict verdict;
   if (result.departure == Departure::feed) {
     verdict =
@@ -116,23 +116,23 @@ OpenStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion
     }
   }
   verdict.block = item_.block;
-  return OpenStepAnswer::decide(std::move(verdict));
+  return FreeStepAnswer::decide(std::move(verdict));
 }
 
-OpenStepAnswer HelixPocketJudge::take(const Motion& motion) {
-  if (phase_ == Phase::over) return OpenStepAnswer::end(motion.from);
+FreeStepAnswer HelixPocketJudge::take(const Motion& motion) {
+  if (phase_ == Phase::over) return FreeStepAnswer::end(motion.from);
   if (tolerances_.compare_blocks && motion.record.block != item_.block) {
-    return OpenStepAnswer::decide(incomplete(motion.from));
+    return FreeStepAnswer::decide(incomplete(motion.from));
   }
   if (turns_rotary_axis(place_, motion.to(), tolerances_.tolerance)) {
     return departs({Departure::geometry, false, "A rotary axis moves in a pocket."}, motion);
   }
-  OpenStepAnswer answer = take_by_phase(motion);
-  if (answer.kind == OpenStepAnswer::Kind::taken) last_ = motion;
+  FreeStepAnswer answer = take_by_phase(motion);
+  if (answer.kind == FreeStepAnswer::Kind::taken) last_ = motion;
   return answer;
 }
 
-OpenStepAnswer HelixPocketJudge::take_by_phase(const Motion& motion) {
+FreeStepAnswer HelixPocketJudge::take_by_phase(const Motion& motion) {
   switch (phase_) {
     case Phase::entry:
       return take_entry(motion);
@@ -195,18 +195,18 @@ MatchResult HelixPocketJudge::match_entry(OpenStart& starts) const {
   return result;
 }
 
-OpenStepAnswer HelixPocketJudge::take_entry(const Motion& motion) {
+FreeStepAnswer HelixPocketJudge::take_entry(const Motion& motion) {
   const MatchResult result = open_.match(motion);
   if (result.done) return end_helix(motion);
   const bool begun = !open_.empty() || result.departure != Departure::none;
   if (!agree(motion.to()[axes_.d], item_.r_plane, tolerances_.tolerance)) {
     if (!begun) return wrong_entry(motion);
     phase_ = Phase::helix;
-    return open_.empty() ? departs(result, motion) : OpenStepAnswer{};
+    return open_.empty() ? departs(result, motion) : FreeStepAnswer{};
   }
   if (!is_cut(motion.record.kind)) return wrong_entry(motion);
   if (entry_.size() >= kMostMotions) {
-    return OpenStepAnswer::gap(GapReason::cap_level,
+    return FreeStepAnswer::gap(GapReason::cap_level,
                                "An entry of more than 50,000 motions is not judged.");
   }
   entry_.push_back(motion);
@@ -218,20 +218,20 @@ OpenStepAnswer HelixPocketJudge::take_entry(const Motion& motion) {
     return {};
   }
   if (!open_.add(shape_, std::move(starts), motion.to(), tolerances_)) {
-    return OpenStepAnswer::gap(GapReason::cap_ways, "The helix may have begun at too many points.");
+    return FreeStepAnswer::gap(GapReason::cap_ways, "The helix may have begun at too many points.");
   }
   return {};
 }
 
 // No motion so far has ended a semicircle, and this one does not go on at the R plane.
-OpenStepAnswer HelixPocketJudge::wrong_entry(const Motion& motion) const {
+FreeStepAnswer HelixPocketJudge::wrong_entry(const Motion& motion) const {
   if (entry_fault_) return departs(entry_fault_->first, entry_fault_->second);
   return departs({Departure::geometry, false,
                   "The entry is no semicircle at the R plane to the circle of the helix."},
                  entry_.empty() ? motion : entry_.back());
 }
 
-OpenStepAnswer HelixPocketJudge::take_helix(const Motion& motion) {
+FreeStepAnswer HelixPocketJudge::take_helix(const Motion& motion) {
   const MatchResult result = open_.match(motion);
   if (result.done) return end_helix(motion);
   if (result.departure == Departure::none) return {};
@@ -240,7 +240,7 @@ OpenStepAnswer HelixPocketJudge::take_helix(const Motion& motion) {
   if (result.departure == Departure::undecided || (goes_down && !at_bottom) || !last_) {
     return departs(result, motion);
   }
-  return OpenStepAnswer::decide(helix_ended());
+  return FreeStepAnswer::decide(helix_ended());
 }
 
 // J-CMP-12: what follows shows that it has, with the last motion that was taken.
@@ -267,7 +267,7 @@ std::optional<Verdict> HelixPocketJudge::ended_short(const Motion& next) const {
   return verdict;
 }
 
-OpenStepAnswer HelixPocketJudge::end_helix(const Motion& motion) {
+FreeStepAnswer HelixPocketJudge::end_helix(const Motion& motion) {
   helix_ = open_.take_done();
   helix_end_ = motion.to();
   entry_.clear();
@@ -307,7 +307,7 @@ bool HelixPocketJudge::is_remainder(const Motion& motion) const {
          helix_.front().starts().admits(shape_.to_end, shape_.from_axis(motion.to()));
 }
 
-OpenStepAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
+FreeStepAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
   const MatchResult result = match_->match(motion);
   if (result.departure == Departure::none) {
     is_begun_ = true;
@@ -323,12 +323,12 @@ OpenStepAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
     if (stays_at_centre(motion)) return {};
     if (!is_cut(motion.record.kind)) {
       phase_ = Phase::over;
-      return OpenStepAnswer::end(motion.from);
+      return FreeStepAnswer::end(motion.from);
     }
   }
   if (is_remainder(motion)) return {};
   if (result.departure != Departure::undecided) {
-    if (auto verdict = ended_short(motion)) return OpenStepAnswer::decide(*std::move(verdict));
+    if (auto verdict = ended_short(motion)) return FreeStepAnswer::decide(*std::move(verdict));
   }
   return departs(result, motion);
 }

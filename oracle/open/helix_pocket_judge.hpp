@@ -7,13 +7,13 @@
 #include <optional>
 #include <vector>
 
+#include "oracle/open/free_step.hpp"
 #include "oracle/open/open_helix.hpp"
-#include "oracle/open/open_step.hpp"
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
 
-class HelixPocketJudge : public OpenStep {
+class HelixPocketJudge : public FreeStep {
  public:
   // `item` and `tolerances` must outlive the judge.
   // `place`: where the reference stands before it.
@@ -21,7 +21,7 @@ class HelixPocketJudge : public OpenStep {
                    const Tolerances& tolerances);
 
   // The path ends with the motion that reaches the centre at the bottom; what follows is `ended`.
-  OpenStepAnswer take(const Motion& motion) override;
+  FreeStepAnswer take(const Motion& motion) override;
   std::optional<Verdict> end(const Position& here) override;
   Exit exit(const Position& here) const override;
   bool is_before(const Motion& motion) const override;
@@ -34,21 +34,21 @@ class HelixPocketJudge : public OpenStep {
 
   bool semicircle_is_unseen() const;
   bool stays_at_centre(const Motion& motion) const;
-  OpenStepAnswer take_entry(const Motion& motion);
-  OpenStepAnswer wrong_entry(const Motion& motion) const;
-  OpenStepAnswer take_helix(const Motion& motion);
-  OpenStepAnswer end_helix(const Motion& motion);
+  FreeStepAnswer take_entry(const Motion& motion);
+  FreeStepAnswer wrong_entry(const Motion& motion) const;
+  FreeStepAnswer take_helix(const Motion& motion);
+  FreeStepAnswer end_helix(const Motion& motion);
   Verdict helix_ended() const;
   std::optional<Verdict> ended_short(const Motion& next) const;
-  OpenStepAnswer take_by_phase(const Motion& motion);
-  OpenStepAnswer take_at_bottom(const Motion& motion);
+  FreeStepAnswer take_by_phase(const Motion& motion);
+  FreeStepAnswer take_at_bottom(const Motion& motion);
   bool is_remainder(const Motion& motion) const;
   // The motions so far as a semicircle that ends where the last of them does.
   MatchResult match_entry(OpenStart& starts) const;
   Motion semicircle(const Position& from, const Position& to) const;
   OpenArc open_semicircle(const OpenStart& starts) const;
   void prepare_bottom(Phase phase);
-  OpenStepAnswer departs(const MatchResult& result, const Motion& motion) const;
+  FreeStepAnswer departs(const MatchResult& result, const Motion& motion) const;
   reference::ClauseId clause() const;
 
   const reference::HelixPocket& item_;

@@ -2,7 +2,7 @@
 #include "oracle/open/open_helix.hpp"
 
 #include "oracle/motion/approximate.hpp"
-#include "oracle/open/open_step.hpp"
+#include "oracle/open/free_step.hpp"
 
 namespace gonogo::oracle {
 namespace {

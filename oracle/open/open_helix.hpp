@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A helix that may begin anywhere on its circle. Where tangential motions run into it, its
-// beginning shows only later on: every point where it may have begun is followed until it is ruled
-// out.
+// A helix that may begin anywhere on its circle. Where tangential motions run into it, only later
+// motions show its beginning: every possible start is followed until it is ruled out.
 #pragma once
 
 #include <list>
@@ -14,7 +13,7 @@
 
 namespace gonogo::oracle {
 
-// What is fixed of a helix.
+// What a helix has wherever it begins.
 struct HelixShape {
   std::uint64_t block = 0;
   reference::ClauseId clause = reference::kNoClause;
@@ -35,7 +34,7 @@ struct HelixShape {
 // One place where the helix may have begun.
 class OpenHelix {
  public:
-  // `starts`: those that agree with where the subject stands, `at`. `tolerances` must outlive it.
+  // `starts` agree with `at`, where the subject stands. `tolerances` must outlive it.
   OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at,
             const Tolerances& tolerances);
   OpenHelix(const OpenHelix&) = delete;
@@ -43,7 +42,7 @@ class OpenHelix {
   const OpenStart& starts() const { return starts_; }
   OpenStart& starts() { return starts_; }
   const Motion& want() const { return want_; }
-  // It has ended with `last`, as what follows shows: in another place or after fewer turns.
+  // The helix has ended with `last`, as what follows shows: elsewhere, or after fewer turns.
   Verdict ended(reference::ClauseId clause, const Motion& last, std::string want,
                 std::string message, const Tolerances& tolerances) const;
 
@@ -59,8 +58,8 @@ class OpenHelix {
 // All places where it may have begun.
 class OpenHelices {
  public:
-  // Follows a motion along each of them; those that it departs from are dropped. `done`: one of
-  // them is complete, see `take_done`. A departure: that of the last one dropped, none is left.
+  // Follows a motion along each of them and drops those from which it departs. `done`: one of them
+  // is complete, see `take_done`. A departure: none is left; it is that of the last one dropped.
   MatchResult match(const Motion& motion);
   // False: there are too many to be followed.
   [[nodiscard]] bool add(const HelixShape& shape, OpenStart starts, const Position& at,
@@ -78,8 +77,8 @@ class OpenHelices {
   std::optional<MatchResult> undecided_;  // of one that was dropped
 };
 
-// Whether a motion may be the first piece of the helix, by kind, plane, centre and sense, where it
-// starts at the top; then the starts that agree with that.
+// Whether a motion that starts at the top may be the first piece of the helix, by kind, plane,
+// centre and sense. If so: the starts that agree with it.
 std::optional<OpenStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
                                          const Tolerances& tolerances);
 

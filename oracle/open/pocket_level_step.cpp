@@ -61,14 +61,14 @@ PocketLevelStep::PocketLevelStep(const PocketLevel& level, const Position& place
       again_(ring_width(level.step, tolerances.level_tolerance())),
       way_(most_way(level)) {}
 
-OpenStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion,
+FreeStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion,
                                         std::string message) const {
   Verdict verdict =
       departure_from(kind, level_.clause, motion, level_text(level_), std::move(message));
   verdict.block = level_.block;
   verdict.word = {};
   verdict.witness = point_text(motion.to(), {Axis::x, Axis::y, Axis::z});
-  return OpenStepAnswer::decide(std::move(verdict));
+  return FreeStepAnswer::decide(std::move(verdict));
 }
 
 // The traverse to where the pocket begins.
@@ -96,25 +96,25 @@ bool PocketLevelStep::may_be_left_by(const Motion& small) const {
          !moves(axes_.q);
 }
 
-OpenStepAnswer PocketLevelStep::take(const Motion& motion) {
+FreeStepAnswer PocketLevelStep::take(const Motion& motion) {
   if (collects(motion)) return collect(motion);
   if (std::optional<Verdict> fault = end(motion.from)) {
     const Number limit = level_.depth - tolerances_.tolerance;
     const bool is_deeper = visible_sign(motion.to()[axes_.d] - limit) < 0;
     const bool is_uncut = motions_.empty() && decision(fault->kind) == Decision::no_go;
-    return is_uncut && is_deeper ? leaves_depth(motion) : OpenStepAnswer::decide(*std::move(fault));
+    return is_uncut && is_deeper ? leaves_depth(motion) : FreeStepAnswer::decide(*std::move(fault));
   }
-  return OpenStepAnswer::end(motion.from);
+  return FreeStepAnswer::end(motion.from);
 }
 
-OpenStepAnswer PocketLevelStep::leaves_depth(const Motion& motion) const {
-  OpenStepAnswer answer =
+FreeStepAnswer PocketLevelStep::leaves_depth(const Motion& motion) const {
+  FreeStepAnswer answer =
       departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.");
   set_deviation(answer.verdict, exact::abs(motion.to()[axes_.d] - level_.depth));
   return answer;
 }
 
-OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
+FreeStepAnswer PocketLevelStep::collect(const Motion& motion) {
   const Record& record = motion.record;
   if (motions_.empty()) plunge_ = motion.from;
   if (!agree(motion.to()[axes_.d], level_.depth, tolerances_.tolerance))
@@ -141,11 +141,11 @@ OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   motions_.push_back(level_motion_near(motion, axes_));
   records_.push_back(record);
   if (motions_.size() > kMostMotions) {
-    return OpenStepAnswer::gap(
+    return FreeStepAnswer::gap(
         GapReason::cap_level,
         fmt::format("A level of more than {} motions is not judged.", kMostMotions));
   }
-  return OpenStepAnswer::take(OpenStepAnswer::Cost::level_cut);
+  return FreeStepAnswer::take(FreeStepAnswer::Cost::level_cut);
 }
 
 region::CircularLevel PocketLevelStep::circle(const Position& plunge) const {
@@ -193,7 +193,7 @@ std::optional<Verdict> PocketLevelStep::end(const Position& here) {
   if (cleared) return std::nullopt;
   const region::LevelVerdict answer = region::judge_level(circle(plunge_), motions_);
   if (answer.kind == region::LevelVerdict::Kind::gap) {
-    return OpenStepAnswer::gap(answer.reason, answer.gap).verdict;
+    return FreeStepAnswer::gap(answer.reason, answer.gap).verdict;
   }
   if (answer.kind == region::LevelVerdict::Kind::no_go) {
     return fault(answer.finding.value(), here);
@@ -203,7 +203,7 @@ std::optional<Verdict> PocketLevelStep::end(const Position& here) {
 }
 
 // At the level's exact depth.
-OpenStep::Exit PocketLevelStep::exit(const Position& /*here*/) const {
+FreeStep::Exit PocketLevelStep::exit(const Position& /*here*/) const {
   Position at = motions_.empty() ? plunge_ : place_;
   if (!motions_.empty()) {
     at[axes_.p] = records_.back().to[axes_.p];

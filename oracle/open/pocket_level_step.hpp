@@ -8,20 +8,20 @@
 #include <vector>
 
 #include "oracle/motion/progress.hpp"
-#include "oracle/open/open_step.hpp"
+#include "oracle/open/free_step.hpp"
 #include "oracle/region/level.hpp"
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
 
-class PocketLevelStep : public OpenStep {
+class PocketLevelStep : public FreeStep {
  public:
-  // All must outlive it. `place`: where the reference stands, at the plunge. `last`: the level
-  // before it that was judged GO.
+  // All must outlive it. `place`: where the reference stands, at the plunge. `last`: the last level
+  // that was judged GO.
   PocketLevelStep(const reference::PocketLevel& level, const Position& place,
                   const Tolerances& tolerances, std::optional<reference::PocketLevel>& last);
 
-  OpenStepAnswer take(const Motion& motion) override;
+  FreeStepAnswer take(const Motion& motion) override;
   std::optional<Verdict> end(const Position& here) override;
   Exit exit(const Position& here) const override;
   bool is_before(const Motion& motion) const override;
@@ -32,9 +32,9 @@ class PocketLevelStep : public OpenStep {
  private:
   // Whether the motion belongs to the level; what departs is decided.
   bool collects(const Motion& motion) const;
-  OpenStepAnswer collect(const Motion& motion);
-  OpenStepAnswer departs(VerdictKind kind, const Motion& motion, std::string message) const;
-  OpenStepAnswer leaves_depth(const Motion& motion) const;
+  FreeStepAnswer collect(const Motion& motion);
+  FreeStepAnswer departs(VerdictKind kind, const Motion& motion, std::string message) const;
+  FreeStepAnswer leaves_depth(const Motion& motion) const;
   region::CircularLevel circle(const Position& plunge) const;
   Verdict fault(const region::Finding& finding, const Position& here) const;
 

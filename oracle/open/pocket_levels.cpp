@@ -33,34 +33,34 @@ std::pair<reference::ClauseId, std::string_view> meaning_of(region::Rule rule) {
 
 }  // namespace
 
-OpenStepAnswer PocketMillingJudge::finish_level(const Motion& next) {
+FreeStepAnswer PocketMillingJudge::finish_level(const Motion& next) {
   milling_ = false;
   if (may_be_travel_) return finish_floor_or_travel(next);
   if (motions_.empty()) {
     // An infeed alone: the level is a point, or nothing of it was milled.
-    const OpenStepAnswer depth = check_level_depth(next);
+    const FreeStepAnswer depth = check_level_depth(next);
     if (depth.is_decided()) return depth;
   }
-  const OpenStepAnswer answer = judge_level(next);
+  const FreeStepAnswer answer = judge_level(next);
   if (answer.is_decided()) return answer;
   close_level();
-  return OpenStepAnswer::take();
+  return FreeStepAnswer::take();
 }
 
-OpenStepAnswer PocketMillingJudge::finish_floor_or_travel(const Motion& next) {
+FreeStepAnswer PocketMillingJudge::finish_floor_or_travel(const Motion& next) {
   may_be_travel_ = false;
-  const OpenStepAnswer answer = judge_level(next);
+  const FreeStepAnswer answer = judge_level(next);
   const bool decided = answer.is_decided();
   if (decided && answer.verdict.kind == VerdictKind::oracle_gap) return answer;
   if (!decided && !taken_above_floor_) {
     close_level();
-    return OpenStepAnswer::take();
+    return FreeStepAnswer::take();
   }
   if (decided) floor_fault_ = answer.verdict;
   taken_above_floor_ = false;
   motions_.clear();
   records_.clear();
-  return OpenStepAnswer::take();
+  return FreeStepAnswer::take();
 }
 
 void PocketMillingJudge::close_level() {
@@ -96,34 +96,34 @@ region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const
   return level;
 }
 
-OpenStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
-  if (const OpenStepAnswer floor = check_contour_only(next); floor.is_decided()) return floor;
+FreeStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
+  if (const FreeStepAnswer floor = check_contour_only(next); floor.is_decided()) return floor;
   const region::LevelVerdict answer = region::judge_level(level_at(depth_), motions_);
   if (answer.kind == region::LevelVerdict::Kind::gap)
-    return OpenStepAnswer::gap(answer.reason, answer.gap);
+    return FreeStepAnswer::gap(answer.reason, answer.gap);
   if (answer.kind == region::LevelVerdict::Kind::no_go) {
-    OpenStepAnswer fault = level_fault(answer.finding.value(), next.from);
+    FreeStepAnswer fault = level_fault(answer.finding.value(), next.from);
     if (!may_be_above_floor()) return fault;
     floor_fault_ = fault.verdict;
     taken_above_floor_ = true;
     return judge_level(next);
   }
-  return OpenStepAnswer::take();
+  return FreeStepAnswer::take();
 }
 
 // SIE-LC75-07, J-PKT-10
-OpenStepAnswer PocketMillingJudge::check_contour_only(const Motion& next) const {
+FreeStepAnswer PocketMillingJudge::check_contour_only(const Motion& next) const {
   const std::optional<region::PlanePoint> place =
       floor_cuts_ ? floor_cuts_->milled_place() : std::nullopt;
-  if (!place) return OpenStepAnswer::take();
-  OpenStepAnswer fault = level_fault({region::Rule::cover, std::nullopt, *place, {}}, next.from);
+  if (!place) return FreeStepAnswer::take();
+  FreeStepAnswer fault = level_fault({region::Rule::cover, std::nullopt, *place, {}}, next.from);
   fault.verdict.clause = "SIE-LC75-07"_clause;
   fault.verdict.got = record_text(next.record);
   fault.verdict.message = "The floor is milled, where R124 and R125 ask for the contour alone.";
   return fault;
 }
 
-OpenStepAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
+FreeStepAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
                                                const Position& at) const {
   const auto [clause, message] = meaning_of(finding.rule);
   const region::PlanePoint place = region::out_of(frame_, finding.witness);
@@ -134,7 +134,7 @@ OpenStepAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
   Verdict verdict = fault_of_step(VerdictKind::fail_region, clause, item_.block, pocket_text(item_),
                                   witness, std::string(message));
   add_finding(verdict, finding, motions_, records_);
-  return OpenStepAnswer::decide(std::move(verdict));
+  return FreeStepAnswer::decide(std::move(verdict));
 }
 
 bool PocketMillingJudge::is_floor(const Number& depth) const {
@@ -207,7 +207,7 @@ Number PocketMillingJudge::deepest_infeed() const {
 }
 
 // With the levels that are due, or how deep this one may be.
-OpenStepAnswer PocketMillingJudge::wrong_depth(const Motion& motion) const {
+FreeStepAnswer PocketMillingJudge::wrong_depth(const Motion& motion) const {
   using reference::with_values;
   const Number& tau = tolerances_.tolerance;
   std::string text =
@@ -221,7 +221,7 @@ OpenStepAnswer PocketMillingJudge::wrong_depth(const Motion& motion) const {
   } else {
     const Number count = item_.level_count();
     const Number next = min(next_level_, count);
-    const Number last = min(next + 2, count);  // of those that are told
+    const Number last = min(next + 2, count);  // of those that are named
     due = item_.depth_of_level(next);
     text += with_values(next == last ? "; due is {}" : "; due are {}", {due});
     for (Number place = next + 1; place <= last; place += 1) {

@@ -81,13 +81,13 @@ Verdict PocketMillingJudge::incomplete(const Position& position) const {
   return verdict;
 }
 
-OpenStepAnswer PocketMillingJudge::departs(VerdictKind kind, reference::ClauseId clause,
+FreeStepAnswer PocketMillingJudge::departs(VerdictKind kind, reference::ClauseId clause,
                                            const Motion& motion, std::string message,
                                            const Number& off) const {
   Verdict verdict = departure_from(kind, clause, motion, pocket_text(item_), std::move(message));
   verdict.block = item_.block;
   set_deviation(verdict, off);
-  return OpenStepAnswer::decide(std::move(verdict));
+  return FreeStepAnswer::decide(std::move(verdict));
 }
 
 std::optional<Verdict> PocketMillingJudge::end(const Position& here) {
@@ -96,7 +96,7 @@ std::optional<Verdict> PocketMillingJudge::end(const Position& here) {
 }
 
 // SIE-LC75-13
-OpenStep::Exit PocketMillingJudge::exit(const Position& /*here*/) const {
+FreeStep::Exit PocketMillingJudge::exit(const Position& /*here*/) const {
   Position at = place_;
   at[axes_.p] = item_.centre[0];
   at[axes_.q] = item_.centre[1];
@@ -118,25 +118,25 @@ bool PocketMillingJudge::may_begin_within(const Motion& rest) const {
   return rest.record.kind == RecordKind::rapid;
 }
 
-OpenStepAnswer PocketMillingJudge::take(const Motion& motion) {
-  OpenStepAnswer answer = take_motion(motion);
-  if (is_limited() && is_cut(motion.record.kind)) answer.cost = OpenStepAnswer::Cost::free;
+FreeStepAnswer PocketMillingJudge::take(const Motion& motion) {
+  FreeStepAnswer answer = take_motion(motion);
+  if (is_limited() && is_cut(motion.record.kind)) answer.cost = FreeStepAnswer::Cost::free;
   return answer;
 }
 
-OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
-  if (over_) return OpenStepAnswer::end(motion.from);
+FreeStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
+  if (over_) return FreeStepAnswer::end(motion.from);
   if (tolerances_.compare_blocks && motion.record.block != item_.block) {
     if (milling_) {
-      const OpenStepAnswer answer = finish_level(motion);
+      const FreeStepAnswer answer = finish_level(motion);
       if (answer.is_decided()) return answer;
     }
     // A lift that is too small to see may be missing.
     over_ = floor_done_ && item_.floor >= item_.retract - tolerances_.tolerance &&
             above_centre(motion.from) &&
             agree(motion.from[axes_.d], item_.retract, tolerances_.tolerance);
-    if (over_) return OpenStepAnswer::end(motion.from);
-    return OpenStepAnswer::decide(incomplete(motion.from));
+    if (over_) return FreeStepAnswer::end(motion.from);
+    return FreeStepAnswer::decide(incomplete(motion.from));
   }
   const RecordKind kind = motion.record.kind;
   if (turns_rotary_axis(motion, tolerances_.tolerance)) {
@@ -169,9 +169,10 @@ OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
     again_.clear();
   }
   if (!goes_along_depth(motion)) return take_along_plane(motion);
-  if (stays_at_level(motion)) return OpenStepAnswer::take();
+  has_risen_ = to > from;
+  if (stays_at_level(motion)) return FreeStepAnswer::take();
   if (milling_ && !(motions_.empty() && to < from)) {
-    const OpenStepAnswer answer = finish_level(motion);
+    const FreeStepAnswer answer = finish_level(motion);
     if (answer.is_decided()) return answer;
   }
   return to < from ? take_down(motion) : take_travel(motion);
@@ -203,18 +204,18 @@ bool PocketMillingJudge::stays_at_level(const Motion& motion) const {
 }
 
 // At one depth: the cuts of a level, or travel.
-OpenStepAnswer PocketMillingJudge::take_along_plane(const Motion& motion) {
+FreeStepAnswer PocketMillingJudge::take_along_plane(const Motion& motion) {
   const Number& depth = motion.to()[axes_.d];
   const bool is_a_cut = is_cut(motion.record.kind);
   if (is_near_cleared(depth)) return take_near_cleared(motion);
   if (is_a_cut && has_feed(motion, item_.plane_feed)) return take_cut(motion);
   const bool deep = depth < cleared_.rough - tolerances_.tolerance;
   if (is_a_cut && !deep && stays_in(motion, rough_reach_).value_or(false)) {
-    return OpenStepAnswer::take();
+    return FreeStepAnswer::take();
   }
   // Anything else comes after the level: what is cleared by now is all of it.
   if (milling_) {
-    const OpenStepAnswer answer = finish_level(motion);
+    const FreeStepAnswer answer = finish_level(motion);
     const bool decided = answer.is_decided();
     if (!decided) return take_travel(motion);
     if (!is_a_cut) return answer;
@@ -232,17 +233,17 @@ bool PocketMillingJudge::is_near_cleared(const Number& depth) const {
 
 // J-PKT-09: travel; but where the floor is as near as the tolerance, it may be the level at the
 // floor.
-OpenStepAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
+FreeStepAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
   const Number& depth = motion.to()[axes_.d];
   const bool mills = !floor_done_ && is_floor(depth) && is_cut(motion.record.kind) &&
                      has_feed(motion, item_.plane_feed);
   // The infeed to it cut.
   if (mills && milling_ && !may_be_travel_) return take_cut(motion);
   if (may_be_travel_ && !mills) {
-    const OpenStepAnswer answer = finish_level(motion);
+    const FreeStepAnswer answer = finish_level(motion);
     if (answer.is_decided()) return answer;
   }
-  const OpenStepAnswer travel = take_travel(motion);
+  const FreeStepAnswer travel = take_travel(motion);
   if (!mills || travel.is_decided()) return travel;
   if (!milling_) start_floor_or_travel(depth, motion.from);
   return may_be_travel_ ? collect(motion) : travel;
@@ -255,15 +256,15 @@ void PocketMillingJudge::start_floor_or_travel(const Number& depth, const Positi
   plunge_ = own(plunge);
 }
 
-OpenStepAnswer PocketMillingJudge::take_cut(const Motion& motion) {
+FreeStepAnswer PocketMillingJudge::take_cut(const Motion& motion) {
   if (!milling_) {
     depth_ = motion.from[axes_.d];
-    const OpenStepAnswer answer = check_level_depth(motion);
+    const FreeStepAnswer answer = check_level_depth(motion);
     if (answer.is_decided()) return answer;
     milling_ = true;
     plunge_ = own(motion.from);
   } else if (motions_.empty()) {
-    const OpenStepAnswer answer = check_level_depth(motion);
+    const FreeStepAnswer answer = check_level_depth(motion);
     if (answer.is_decided()) return answer;
   }
   if (!agree(motion.to()[axes_.d], depth_, tolerances_.tolerance)) {
@@ -273,40 +274,40 @@ OpenStepAnswer PocketMillingJudge::take_cut(const Motion& motion) {
   return collect(motion);
 }
 
-OpenStepAnswer PocketMillingJudge::collect(const Motion& motion) {
+FreeStepAnswer PocketMillingJudge::collect(const Motion& motion) {
   motions_.push_back(own(motion));
   records_.push_back(motion.record);
   if (motions_.size() > kMostMotions) {
-    return OpenStepAnswer::gap(GapReason::cap_level,
+    return FreeStepAnswer::gap(GapReason::cap_level,
                                "A level of more than 50,000 motions is not judged.");
   }
-  return OpenStepAnswer::take();
+  return FreeStepAnswer::take();
 }
 
-OpenStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
+FreeStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
   const Number& to = motion.to()[axes_.d];
   const bool is_last = is_point() && is_floor(to) && !floor_done_;
   const Number lowest = min(cleared_.everywhere, cleared_.rough);
   const bool cuts = is_last || (to < lowest - tolerances_.tolerance && !is_near_cleared(to));
   arrival_ = motion;
   if (!cuts) {
-    const OpenStepAnswer travel = take_travel(motion);
+    const FreeStepAnswer travel = take_travel(motion);
     const bool decided = travel.is_decided();
     const bool tries = !floor_done_ && is_floor(to) && is_near_cleared(to);
     if (!decided && tries) start_floor_or_travel(to, motion.to());
     return travel;
   }
   may_be_travel_ = false;
-  const OpenStepAnswer answer = check_plunge(motion);
+  const FreeStepAnswer answer = check_plunge(motion);
   if (answer.is_decided()) return answer;
   milling_ = true;
   depth_ = to;
   plunge_ = own(motion.to());
-  return OpenStepAnswer::take();
+  return FreeStepAnswer::take();
 }
 
 // SIE-LC75-04: every infeed is at the centre with R122. SIE-LC75-11: of finishing the last.
-OpenStepAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
+FreeStepAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
   const reference::ClauseId clause = item_.finishing ? "SIE-LC75-11"_clause : "SIE-LC75-04"_clause;
   if (motion.record.kind == RecordKind::rapid) {
     const bool in_air = motion.to()[axes_.d] >= item_.reference_plane - tolerances_.tolerance;
@@ -325,24 +326,24 @@ OpenStepAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
                    "The feed of the infeed differs." +
                        feed_in_place_of(motion.record, item_.depth_feed, item_.feed_mode));
   }
-  return OpenStepAnswer::take();
+  return FreeStepAnswer::take();
 }
 
-OpenStepAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
+FreeStepAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
   if (!admits_depth(depth_)) return wrong_depth(motion);
-  if (!item_.finishing || !is_floor(depth_)) return OpenStepAnswer::take();
-  const OpenStepAnswer answer =
+  if (!item_.finishing || !is_floor(depth_)) return FreeStepAnswer::take();
+  const FreeStepAnswer answer =
       arrival_ ? check_plunge(*arrival_)
                : departs(VerdictKind::fail_geometry, "SIE-LC75-11"_clause, motion,
                          "The last level has no infeed at the centre.");
   if (!answer.is_decided() || !may_be_above_floor()) return answer;
   taken_above_floor_ = true;
   floor_fault_ = answer.verdict;
-  return OpenStepAnswer::take();
+  return FreeStepAnswer::take();
 }
 
 // Whether the motion may go where it goes: what is cleared, by this path or by roughing.
-OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
+FreeStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
   const Number& tau = tolerances_.tolerance;
   // R8: no clause leads above R101.
   if (motion.to()[axes_.d] > item_.retract + tau && motion.to()[axes_.d] > motion.from[axes_.d]) {
@@ -360,7 +361,7 @@ OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
     const bool straight_up = motion.from[axes_.d] < motion.to()[axes_.d] &&
                              agree(motion.from[axes_.p], motion.to()[axes_.p], tau) &&
                              agree(motion.from[axes_.q], motion.to()[axes_.q], tau);
-    if (straight_up) return OpenStepAnswer::take();
+    if (straight_up) return FreeStepAnswer::take();
     return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
                    "The tool travels where nothing is cleared.");
   }
@@ -370,9 +371,9 @@ OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
   }
   const std::optional<bool> inside = stays_in(motion, above ? reach_ : rough_reach_);
   if (!inside)
-    return OpenStepAnswer::gap(GapReason::comparison,
+    return FreeStepAnswer::gap(GapReason::comparison,
                                "A motion is too close to the wall to decide.");
-  if (*inside) return OpenStepAnswer::take();
+  if (*inside) return FreeStepAnswer::take();
   return departs(
       VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
       above ? "The tool leaves the pocket." : "The tool travels outside of what is cleared.");
@@ -392,43 +393,42 @@ bool PocketMillingJudge::traverses_on_floor(const Motion& motion) const {
 }
 
 // Whether a motion leads past R101 above the centre, behind the cycle. Without line numbers the
-// traverse is joined with what comes after it.
+// way back is joined with what comes after it.
 bool PocketMillingJudge::passes_retract_plane(const Motion& motion) const {
-  return floor_done_ && !tolerances_.compare_blocks && motion.record.kind == RecordKind::rapid &&
-         above_centre(motion.from) && above_centre(motion.to()) &&
-         motion.from[axes_.d] < item_.retract && item_.retract < motion.to()[axes_.d];
+  return floor_done_ && !tolerances_.compare_blocks && above_centre(motion.from) &&
+         above_centre(motion.to()) && motion.from[axes_.d] < item_.retract &&
+         item_.retract < motion.to()[axes_.d];
 }
 
-OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
+FreeStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
   if (is_cut(motion.record.kind)) ++idle_cuts_;
   if (passes_retract_plane(motion)) {
-    if (OpenStepAnswer floor = check_contour_only(motion); floor.is_decided()) return floor;
+    if (FreeStepAnswer floor = check_contour_only(motion); floor.is_decided()) return floor;
     over_ = true;
     Position here = motion.to();
     here[axes_.d] = item_.retract;
-    return OpenStepAnswer::end(here);
+    return FreeStepAnswer::end(here);
   }
   if (const auto answer = check_first(motion); answer.is_decided()) {
     return answer;
   }
-  const OpenStepAnswer answer = check_travel(motion);
+  const FreeStepAnswer answer = check_travel(motion);
   if (answer.is_decided()) return answer;
-  if (!floor_done_ || motion.record.kind != RecordKind::rapid || !above_centre(motion.to())) {
-    return OpenStepAnswer::take();
-  }
-  // SIE-LC75-13: the end is above the centre at R101.
+  const bool may_end = floor_done_ && (motion.record.kind == RecordKind::rapid || has_risen_);
+  if (!may_end || !above_centre(motion.to())) return FreeStepAnswer::take();
+  // SIE-LC75-13: the end is above the centre at R101, whatever the speed of the way there.
   over_ = agree(motion.to()[axes_.d], item_.retract, tolerances_.tolerance);
-  return over_ ? check_contour_only(motion) : OpenStepAnswer::take();
+  return over_ ? check_contour_only(motion) : FreeStepAnswer::take();
 }
 
 // R8: in roughing the first infeed follows the approach, at the centre. In finishing
 // (SIE-LC75-11) the tool may travel in what roughing left.
-OpenStepAnswer PocketMillingJudge::check_first(const Motion& motion) const {
+FreeStepAnswer PocketMillingJudge::check_first(const Motion& motion) const {
   const bool below = min(motion.from[axes_.d], motion.to()[axes_.d]) < item_.clearance;
-  if (item_.finishing || !first_ || milling_ || below) return OpenStepAnswer::take();
+  if (item_.finishing || !first_ || milling_ || below) return FreeStepAnswer::take();
   const bool sinks = motion.to()[axes_.d] <= motion.from[axes_.d] + tolerances_.tolerance;
   const bool stays = above_centre(motion.to()) && !goes_round(motion, tolerances_.tolerance);
-  if (sinks && stays) return OpenStepAnswer::take();
+  if (sinks && stays) return FreeStepAnswer::take();
   return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
                  "The tool moves away before the first infeed, where no clause leads it.");
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "oracle/motion/progress.hpp"
-#include "oracle/open/open_step.hpp"
+#include "oracle/open/free_step.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/region/frame.hpp"
 #include "oracle/region/milled_floor.hpp"
@@ -17,7 +17,7 @@
 
 namespace gonogo::oracle {
 
-class PocketMillingJudge : public OpenStep {
+class PocketMillingJudge : public FreeStep {
  public:
   // `item` and `tolerances` must outlive the judge. The tool stands at `place`, at the clearance
   // above the centre.
@@ -25,16 +25,16 @@ class PocketMillingJudge : public OpenStep {
                      const Tolerances& tolerances);
 
   // The path ends with the motion that reaches R101 above the centre; what follows is `ended`.
-  OpenStepAnswer take(const Motion& motion) override;
+  FreeStepAnswer take(const Motion& motion) override;
   std::optional<Verdict> end(const Position& here) override;
   Exit exit(const Position& here) const override;
   bool sees(const Motion& small) const override;
   bool may_begin_within(const Motion& rest) const override;
 
  private:
-  OpenStepAnswer take_motion(const Motion& motion);
-  // Whether the last motion is one of those that have a limit of their own: of a level, or a cut
-  // through what is cleared, of which a pocket may have as many as a level.
+  FreeStepAnswer take_motion(const Motion& motion);
+  // Whether the last motion has a limit of its own: a motion of a level, or a cut through what is
+  // cleared, of which a pocket may have as many as a level has motions.
   bool is_limited() const { return milling_ || idle_cuts_ <= kMostMotions; }
   Verdict incomplete(const Position& position) const;
   // How far the tool may go down without cutting: everywhere it may be, and in what roughing left.
@@ -47,42 +47,42 @@ class PocketMillingJudge : public OpenStep {
   bool goes_along_depth(const Motion& motion) const;
   // Whether a cut along the depth axis within a level leaves it at its depth.
   bool stays_at_level(const Motion& motion) const;
-  OpenStepAnswer take_along_plane(const Motion& motion);
+  FreeStepAnswer take_along_plane(const Motion& motion);
   // Whether the depth may be one that is cleared everywhere.
   bool is_near_cleared(const Number& depth) const;
-  OpenStepAnswer take_near_cleared(const Motion& motion);
+  FreeStepAnswer take_near_cleared(const Motion& motion);
   void start_floor_or_travel(const Number& depth, const Position& plunge);
-  OpenStepAnswer finish_floor_or_travel(const Motion& next);
+  FreeStepAnswer finish_floor_or_travel(const Motion& next);
   void close_level();
-  OpenStepAnswer take_cut(const Motion& motion);
-  OpenStepAnswer collect(const Motion& motion);
-  OpenStepAnswer take_down(const Motion& motion);
-  OpenStepAnswer take_travel(const Motion& motion);
-  OpenStepAnswer check_travel(const Motion& motion) const;
+  FreeStepAnswer take_cut(const Motion& motion);
+  FreeStepAnswer collect(const Motion& motion);
+  FreeStepAnswer take_down(const Motion& motion);
+  FreeStepAnswer take_travel(const Motion& motion);
+  FreeStepAnswer check_travel(const Motion& motion) const;
   bool traverses_on_floor(const Motion& motion) const;
-  OpenStepAnswer check_first(const Motion& motion) const;
+  FreeStepAnswer check_first(const Motion& motion) const;
   bool passes_retract_plane(const Motion& motion) const;
-  OpenStepAnswer check_plunge(const Motion& motion) const;
-  OpenStepAnswer check_level_depth(const Motion& motion);
-  OpenStepAnswer finish_level(const Motion& next);
-  OpenStepAnswer judge_level(const Motion& next);
+  FreeStepAnswer check_plunge(const Motion& motion) const;
+  FreeStepAnswer check_level_depth(const Motion& motion);
+  FreeStepAnswer finish_level(const Motion& next);
+  FreeStepAnswer judge_level(const Motion& next);
   // SIE-LC75-07: whether the floor is milled where only the contour is to be.
-  OpenStepAnswer check_contour_only(const Motion& next) const;
+  FreeStepAnswer check_contour_only(const Motion& next) const;
   void note_floor_cut(const Motion& motion);
-  OpenStepAnswer level_fault(const region::Finding& finding, const Position& at) const;
+  FreeStepAnswer level_fault(const region::Finding& finding, const Position& at) const;
   // `off`: how far, where that is a length.
-  OpenStepAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
+  FreeStepAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
                          std::string message, const Number& off = 0) const;
-  OpenStepAnswer wrong_depth(const Motion& motion) const;
+  FreeStepAnswer wrong_depth(const Motion& motion) const;
 
   bool is_floor(const Number& depth) const;
-  // From the centre at a depth, along the axis where it is farthest; 0: that is not known.
+  // The distance from the centre at a depth, along the axis where it is greatest; 0: not known.
   Number from_centre(const Position& at, const Number& depth) const;
   // Whether a list names the depths of all levels.
   bool are_levels_named() const;
-  // How deep a level may be behind the last one, where no list names it.
+  // How deep the next level may be, where no list names it.
   Number deepest_infeed() const;
-  // Whether a level that is not as the floor must be is one just above it.
+  // Whether a level that breaks a rule of the floor must be one just above it.
   bool may_be_above_floor() const;
   bool admits_depth(const Number& depth) const;
   bool is_due(const Number& place) const;
@@ -95,7 +95,7 @@ class PocketMillingJudge : public OpenStep {
   std::optional<bool> stays_in(const Motion& motion, const region::RoundedRectangle& area) const;
   // Whether the tool can only go up and down in the pocket.
   bool is_point() const;
-  // Where coordinates are only enclosed, rational ones near them stand for them.
+  // Where coordinates are only enclosed, rational ones near them are used.
   void take_slack_of(const Motion& motion);
   // In the pocket's own frame.
   region::PlanePoint own(const Position& at) const;
@@ -129,6 +129,7 @@ class PocketMillingJudge : public OpenStep {
   std::vector<region::LevelMotion> motions_;
   std::vector<Record> records_;
   std::size_t idle_cuts_ = 0;
+  bool has_risen_ = false;  // the last motion along the depth axis led up
   MilledAgain again_;
   MilledWay way_;
   std::optional<region::MilledFloor> floor_cuts_;  // where only the contour is to be milled

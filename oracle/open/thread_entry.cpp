@@ -11,6 +11,7 @@ namespace gonogo::oracle {
 namespace {
 
 constexpr const char* kManyPieces = "The entry has more than 50,000 pieces.";
+constexpr const char* kDeepInfeed = "The infeed goes deeper than its pass.";
 
 }  // namespace
 
@@ -166,7 +167,11 @@ std::optional<std::string> ThreadEntry::fault_of(std::size_t infeed,
     const bool chords = chords_granted() && sense_ == 0 &&
                         are_chords_of_an_arc(points.first(infeed + 1), twice,
                                              tolerances.tolerance + tolerances.chord);
-    if (!chords) return "The entry is no arc: straight cuts lead to the start of the thread.";
+    const bool needs_arc = sense_ == 0 && !on_start_circle(points[0]);
+    if (!chords && needs_arc) {
+      return "The entry is no arc: straight cuts lead to the start of the thread.";
+    }
+    if (!chords) return bent_infeed(here);
   } else if (sense_ == 0 && !on_start_circle(points[0])) {
     return "The entry arc is missing.";
   }
@@ -177,14 +182,25 @@ std::optional<std::string> ThreadEntry::fault_of(std::size_t infeed,
                  "diameter beside it."
                : "The entry goes through the wall of the bore.";
   }
+  if (is_deep(points[infeed], here)) return kDeepInfeed;
+  return std::nullopt;
+}
+
+// What is said of several cuts from the end of the entry, which are not one line.
+std::string ThreadEntry::bent_infeed(const PlaneVector& here) const {
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    if (is_deep(points_[i], points_[i + 1])) return kDeepInfeed;
+  }
+  if (is_deep(points_.back(), here)) return kDeepInfeed;
+  return "The infeed is not one straight cut.";
+}
+
+bool ThreadEntry::is_deep(const PlaneVector& from, const PlaneVector& to) const {
   Motion line;
   line.record.kind = RecordKind::feed;
-  line.from = at(points[infeed]);
-  line.record.to = at(here);
-  if (geometry_.clearance(line, radius_).kind != Clearance::Kind::clear) {
-    return "The infeed goes deeper than its pass.";
-  }
-  return std::nullopt;
+  line.from = at(from);
+  line.record.to = at(to);
+  return geometry_.clearance(line, radius_).kind != Clearance::Kind::clear;
 }
 
 }  // namespace gonogo::oracle

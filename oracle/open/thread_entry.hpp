@@ -21,12 +21,12 @@ class ThreadEntry {
   // A pass begins where the tool stands.
   void begin(const Position& from, const Number& pass);
   enum class Taken { progress, nothing, departs };
-  // A motion at the R plane. `departs`: it is no part of entry and infeed, nor is what follows.
+  // A motion at the R plane. `departs`: neither it nor what follows is part of entry and infeed.
   Taken add(const Motion& motion);
   // Why the helix of the pass may not begin here: a sentence; none: it may.
   std::optional<std::string> fault_before_helix(const Position& here) const;
   bool has_begun() const { return sense_ != 0 || points_.size() > 1 || !departure_.empty(); }
-  // Where `add` said so: the sentence.
+  // The sentence, where `add` said `departs`.
   const std::string& departure() const { return departure_; }
 
  private:
@@ -37,6 +37,8 @@ class ThreadEntry {
   bool leaves_region(const PlaneVector& start, std::span<const PlaneVector> chords) const;
   std::optional<std::string> wrong_traverse() const;
   std::optional<std::string> fault_of(std::size_t infeed, const PlaneVector& here) const;
+  std::string bent_infeed(const PlaneVector& here) const;
+  bool is_deep(const PlaneVector& from, const PlaneVector& to) const;  // a straight cut
   bool on_start_circle(const PlaneVector& at) const;
   Position at(const PlaneVector& v) const;
   Motion staying(const PlaneVector& v) const;  // there

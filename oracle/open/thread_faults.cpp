@@ -13,11 +13,11 @@ namespace gonogo::oracle {
 
 using reference::operator""_clause;
 
-OpenStepAnswer ThreadJudge::fault(VerdictKind kind, reference::ClauseId clause,
+FreeStepAnswer ThreadJudge::fault(VerdictKind kind, reference::ClauseId clause,
                                   const Motion& motion, std::string message) const {
   Verdict verdict = departure_from(kind, clause, motion, want_text(), std::move(message));
   verdict.block = item_.block;
-  return OpenStepAnswer::decide(std::move(verdict));
+  return FreeStepAnswer::decide(std::move(verdict));
 }
 
 std::string ThreadJudge::want_text() const {
@@ -60,13 +60,13 @@ Verdict ThreadJudge::helix_ended() const {
   return verdict;
 }
 
-OpenStepAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId clause,
+FreeStepAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId clause,
                                      const Motion& motion, std::string message) const {
   if (clear.kind == Clearance::Kind::undecided) {
-    return OpenStepAnswer::gap(GapReason::comparison,
+    return FreeStepAnswer::gap(GapReason::comparison,
                                "Whether an arc below the R plane clears the part is not decided.");
   }
-  OpenStepAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
+  FreeStepAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
   Position witness = motion.from;
   witness[axes_.p] = item_.centre[0] + clear.witness.p;
   witness[axes_.q] = item_.centre[1] + clear.witness.q;
@@ -87,11 +87,11 @@ OpenStepAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId
 
 // A motion below the R plane where the helix of the pass is due, or one that leaves it. The first
 // of radius, plane, centre, sense, start, lead, turns, depth and feed that is wrong gives the name.
-OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& result) const {
+FreeStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& result) const {
   constexpr VerdictKind kGeometry = VerdictKind::fail_geometry;
   const reference::ClauseId clause = "GSK-G114-06"_clause;
   if (result.departure == Departure::undecided)
-    return OpenStepAnswer::gap(result.gap, result.reason);
+    return FreeStepAnswer::gap(result.gap, result.reason);
   if (result.departure == Departure::feed) {
     return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
                  "The feed of the thread differs." +
@@ -101,7 +101,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   const bool on_the_way = phase_ == Phase::helix;
   if (!on_the_way && entry_fault_) return fault(kGeometry, clause, motion, *entry_fault_);
   const bool goes_on = is_cut(record.kind) && height(motion.to()) < height(motion.from);
-  if (on_the_way && !goes_on) return OpenStepAnswer::decide(helix_ended());
+  if (on_the_way && !goes_on) return FreeStepAnswer::decide(helix_ended());
   if (record.kind == RecordKind::rapid) {
     return fault(kGeometry, "GSK-G114-10"_clause, motion,
                  "A traverse goes below the R plane before the helix.");
@@ -116,7 +116,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   }
   for (std::size_t i : {0U, 1U}) {
     if (agree(record.centre[i], item_.centre[i], tolerances_.tolerance)) continue;
-    OpenStepAnswer answer =
+    FreeStepAnswer answer =
         fault(kGeometry, clause, motion, "The helix turns about another centre.");
     set_deviation(answer.verdict, abs(record.centre[i] - item_.centre[i]));
     return answer;
@@ -125,7 +125,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
     return fault(kGeometry, "GSK-G114-09"_clause, motion, "The helix turns the wrong way.");
   }
   if (!on_the_way && !agree(motion.from[axes_.d], item_.r_plane, tolerances_.tolerance)) {
-    OpenStepAnswer answer =
+    FreeStepAnswer answer =
         fault(kGeometry, clause, motion, "The helix does not begin at the R plane.");
     set_deviation(answer.verdict, abs(motion.from[axes_.d] - item_.r_plane));
     return answer;
@@ -135,7 +135,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
 }
 
 // Another radius than that of the pass; that of a neighbouring pass says more.
-OpenStepAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
+FreeStepAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
   const Position& at = geometry_.on_circle(motion.from, radius()) ? motion.to() : motion.from;
   const PlaneVector v = geometry_.from_axis(at);
   const Number got = exact::sqrt(norm_squared(v));
@@ -151,14 +151,14 @@ OpenStepAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
   } else {
     clause = "GSK-G114-06"_clause;
   }
-  OpenStepAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
+  FreeStepAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
   answer.verdict.witness = point_text(at, {Axis::x, Axis::y, Axis::z});
   set_deviation(answer.verdict, abs(beyond));
   return answer;
 }
 
 // Lead, turns or depth: estimates only choose the name here.
-OpenStepAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
+FreeStepAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
   const double tau = approximate(tolerances_.tolerance);
   const double lead = approximate(item_.lead);
   const double turns = approximate_turns(motion);
@@ -175,14 +175,14 @@ OpenStepAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
   } else if (!at_bottom) {
     message = "The helix ends at another depth.";
   }
-  OpenStepAnswer answer =
+  FreeStepAnswer answer =
       fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion, std::move(message));
   set_deviation(answer.verdict, abs(motion.to()[axes_.d] - item_.bottom));
   return answer;
 }
 
 // J-THR-06
-OpenStepAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
+FreeStepAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
   std::string message =
       "The way back to the R plane does not lead along the depth axis alone from the end of the "
       "run-out.";
@@ -197,7 +197,7 @@ OpenStepAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
 }
 
 // J-THR-06
-OpenStepAnswer ThreadJudge::not_away(const Motion& motion) const {
+FreeStepAnswer ThreadJudge::not_away(const Motion& motion) const {
   std::string message =
       "The tool does not move along the first axis of the plane to the safe position before it "
       "goes on.";

@@ -18,8 +18,8 @@ class ThreadGeometry {
 
   const reference::ThreadMilling& item() const { return item_; }
   const Tolerances& tolerances() const { return tolerances_; }
-  // For what begins where the subject's helix ends, which may be off by the tolerance at either of
-  // the points that fix it.
+  // For what begins where the subject's helix ends: both points that fix that end may be off by the
+  // tolerance.
   const Tolerances& loose_terms() const { return loose_; }
   const reference::PlaneAxes& axes() const { return axes_; }
 
@@ -29,32 +29,32 @@ class ThreadGeometry {
   bool is_below(const Position& at) const { return height(at) < -tolerances_.tolerance; }
   bool is_above(const Position& at) const { return height(at) > tolerances_.tolerance; }
   PlaneVector from_axis(const Position& at) const;
-  // Whether the point agrees with one of the circle about the axis.
+  // Whether the point agrees with a point of the circle about the axis.
   bool on_circle(const Position& at, const Number& radius) const;
   // Whether it lies no deeper in the material than a circle, as far as the tolerance tells.
   bool is_free(const Position& at, const Number& radius) const;
   // J-THR-06: external, as far from the axis as rho_0 + J; internal, as near to it along p as
-  // rho_0 - J. `side`, where it is not 0: just there, on that side along p.
+  // rho_0 - J. `side`, where it is not 0: exactly there, on that side along p.
   bool is_safe(const Position& at, int side) const;
-  // J-THR-06: whether it lies farther along p than an external thread's tool goes. A bore's is kept
-  // by its wall.
+  // J-THR-06: whether the point lies farther along p than the tool goes at an external thread. In a
+  // bore the wall keeps it.
   bool is_beyond_reach(const Position& at) const;
   bool moves_depth_alone(const Motion& motion) const;
   bool moves_first_axis_alone(const Motion& motion) const;
   bool moves_in_plane(const Motion& motion) const;
 
-  // Whether a motion keeps off the material that begins at the circle, from that part of it on. A
+  // Whether a motion, from that part of it on, keeps off the material that begins at the circle. A
   // traverse may go anywhere within its box.
   Clearance clearance(const Motion& motion, const Number& radius, const Number& part = 0) const;
-  // The same of a chord that the certifier grants, which may cut deeper by that much.
+  // The same for a chord that the certifier grants: it may cut deeper by that much.
   Clearance clearance_of_chord(const Motion& chord, const Number& radius,
                                const Number& part = 0) const;
-  // Whether it stays within a circle about the axis; or about the middle of two points, through
-  // both.
+  // Whether the motion stays within a circle about the axis; or within the circle whose diameter is
+  // the line between two points.
   Clearance within(const Motion& motion, const Number& radius) const;
   Clearance within_chord(const Motion& motion, const PlaneVector& a, const PlaneVector& b) const;
   // J-THR-02, J-THR-06. How far from the axis the words lead: to the safe position of an external
-  // thread, and a tool's diameter beside it.
+  // thread, and a tool's diameter beyond.
   Number reach() const { return item_.start_radius + item_.runout_length + item_.tool_radius * 2; }
 
  private:
@@ -76,8 +76,8 @@ class ThreadGeometry {
 // K within a turn: the reading gsk.thread.k-range = table has more.
 Number run_out_degrees(const reference::ThreadMilling& item);
 
-// The value, or a rational within 2^-80 of it: whether two points are one, or an arc is round, is
-// not to be decided for values that are only enclosed.
+// The value, or a rational within 2^-80 of it: values that are only enclosed cannot decide whether
+// two points are one, or an arc is round.
 PlaneVector near_rational(const PlaneVector& v);
 
 }  // namespace gonogo::oracle

@@ -53,7 +53,7 @@ std::optional<Verdict> ThreadJudge::end(const Position& here) {
 }
 
 // Where the subject stands, or where the reference would where that agrees.
-OpenStep::Exit ThreadJudge::exit(const Position& here) const {
+FreeStep::Exit ThreadJudge::exit(const Position& here) const {
   Position at = start_;
   for (const Axis axis : {axes_.p, axes_.q, axes_.d}) at[axis] = here[axis];
   const std::array<Number, 2> shown = reference::gsk988ta::end_of_passes(item_);
@@ -67,16 +67,16 @@ OpenStep::Exit ThreadJudge::exit(const Position& here) const {
   return {at, true};
 }
 
-OpenStepAnswer ThreadJudge::take(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take(const Motion& motion) {
   waits_ = false;
   if (passes_ > 1 && agree(item_.r_plane, item_.bottom, tolerances_.tolerance)) {
-    return OpenStepAnswer::gap(
+    return FreeStepAnswer::gap(
         GapReason::two_readings,
-        "The passes of a thread that is no deeper than the tolerance cannot be told apart.");
+        "The passes of a thread that is no deeper than the tolerance cannot be distinguished.");
   }
   if (tolerances_.compare_blocks && motion.record.block != item_.block) {
-    if (complete()) return OpenStepAnswer::end(motion.from);
-    return OpenStepAnswer::decide(incomplete(motion.from));
+    if (complete()) return FreeStepAnswer::end(motion.from);
+    return FreeStepAnswer::decide(incomplete(motion.from));
   }
   if (turns_rotary_axis(start_, motion.to(), tolerances_.tolerance)) {
     return fault(VerdictKind::fail_geometry, item_.clause, motion,
@@ -87,11 +87,11 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
                  "A feed bound to the spindle has no place in thread milling.");
   }
   if (motion.record.kind == RecordKind::arc3) {
-    return OpenStepAnswer::gap(GapReason::unjudged_form,
+    return FreeStepAnswer::gap(GapReason::unjudged_form,
                                "An arc through a point is not judged in a thread.");
   }
-  OpenStepAnswer answer = take_by_phase(motion);
-  if (answer.kind != OpenStepAnswer::Kind::taken) return answer;
+  FreeStepAnswer answer = take_by_phase(motion);
+  if (answer.kind != FreeStepAnswer::Kind::taken) return answer;
   if (is_cut(motion.record.kind) &&
       !feeds_agree(item_.feed, item_.feed_mode, motion.record, tolerances_)) {
     return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
@@ -101,11 +101,11 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
   position_ = motion.to();
   if (!waits_) last_ = motion;
   // J-THR-01: steps are bounded by the thread's geometry, not by the number of pieces.
-  if (!waits_) answer.cost = OpenStepAnswer::Cost::free;
+  if (!waits_) answer.cost = FreeStepAnswer::Cost::free;
   return answer;
 }
 
-OpenStepAnswer ThreadJudge::take_by_phase(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take_by_phase(const Motion& motion) {
   switch (phase_) {
     case Phase::entry:
       return take_entry(motion);
@@ -122,7 +122,7 @@ OpenStepAnswer ThreadJudge::take_by_phase(const Motion& motion) {
 }
 
 // J-THR-02. Where the helix begins shows only when it leaves the R plane.
-OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take_entry(const Motion& motion) {
   if (is_named() && step_ != Step::helix) return take_named(motion);
   const MatchResult result = match_helix(motion);
   if (phase_ == Phase::run_out) return {};
@@ -204,7 +204,7 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
   return result;
 }
 
-OpenStepAnswer ThreadJudge::take_helix(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take_helix(const Motion& motion) {
   const MatchResult result = match_helix(motion);
   if (result.departure == Departure::none) return {};
   return no_helix(motion, result);

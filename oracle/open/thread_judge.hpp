@@ -7,55 +7,55 @@
 
 #include <optional>
 
+#include "oracle/open/free_step.hpp"
 #include "oracle/open/open_helix.hpp"
-#include "oracle/open/open_step.hpp"
 #include "oracle/open/thread_entry.hpp"
 #include "oracle/open/thread_run_out.hpp"
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
 
-class ThreadJudge : public OpenStep {
+class ThreadJudge : public FreeStep {
  public:
   // The path of the reading gsk.thread.path = arc, the same on the other side along p, or any that
   // the steps leave open.
   enum class Path { named = 1, mirrored = -1, open = 0 };
-  // `item`, `tolerances` and `run_outs`, those that the program has left so far, must outlive the
-  // judge. `start`: where the tool stands, at the R plane.
+  // `item`, `tolerances` and `run_outs` (what the program has left so far) must outlive the judge.
+  // `start`: where the tool stands, at the R plane.
   ThreadJudge(const reference::ThreadMilling& item, Path path, const Position& start,
               const Tolerances& tolerances, RunOutSet& run_outs);
 
-  OpenStepAnswer take(const Motion& motion) override;
-  // It may end when the passes are done and the tool is at the R plane, at a safe position.
+  FreeStepAnswer take(const Motion& motion) override;
+  // The path may end when the passes are done and the tool is at the R plane, at a safe position.
   std::optional<Verdict> end(const Position& here) override;
   Exit exit(const Position& here) const override;
 
  private:
   bool complete() const;
-  // Why it is not; `position` is where the subject stands.
+  // Why it is not complete; `position` is where the subject stands.
   Verdict incomplete(const Position& position) const;
   // The motion belongs to a step and moves nothing that is seen.
-  OpenStepAnswer wait() {
+  FreeStepAnswer wait() {
     waits_ = true;
     return {};
   }
   // For a pass: the arc and the infeed, the helix, the run-out, back to the R plane, away.
   enum class Phase { entry, helix, run_out, way_back, away };
 
-  OpenStepAnswer take_by_phase(const Motion& motion);
-  OpenStepAnswer take_entry(const Motion& motion);
-  OpenStepAnswer take_helix(const Motion& motion);
-  OpenStepAnswer take_run_out(const Motion& motion);
-  OpenStepAnswer take_run_out_cut(const Motion& motion);
-  OpenStepAnswer take_way_back(const Motion& motion);
-  OpenStepAnswer rise_beyond(const Motion& motion);
-  OpenStepAnswer take_away(const Motion& motion);
-  OpenStepAnswer take_after_last(const Motion& motion);
+  FreeStepAnswer take_by_phase(const Motion& motion);
+  FreeStepAnswer take_entry(const Motion& motion);
+  FreeStepAnswer take_helix(const Motion& motion);
+  FreeStepAnswer take_run_out(const Motion& motion);
+  FreeStepAnswer take_run_out_cut(const Motion& motion);
+  FreeStepAnswer take_way_back(const Motion& motion);
+  FreeStepAnswer rise_beyond(const Motion& motion);
+  FreeStepAnswer take_away(const Motion& motion);
+  FreeStepAnswer take_after_last(const Motion& motion);
   void begin_pass(const Position& from);
 
   // Steps of a path that is named.
   enum class Step { entry, infeed, helix, away, over };
-  OpenStepAnswer take_named(const Motion& motion);
+  FreeStepAnswer take_named(const Motion& motion);
   bool prepare_named(const Position& from);  // false where the step moves nothing
   void next_named(const Position& at);
   bool passes_end_of_thread(const Motion& motion) const;
@@ -74,17 +74,17 @@ class ThreadJudge : public OpenStep {
   bool promises_clearance() const { return item_.runout_length >= item_.depth_of_pass(pass_); }
 
   // The evidence, in thread_faults.cpp.
-  OpenStepAnswer fault(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
+  FreeStepAnswer fault(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
                        std::string message) const;
-  OpenStepAnswer touching(const Clearance& clearance, reference::ClauseId clause,
+  FreeStepAnswer touching(const Clearance& clearance, reference::ClauseId clause,
                           const Motion& motion, std::string message) const;
-  OpenStepAnswer no_helix(const Motion& motion, const MatchResult& result) const;
+  FreeStepAnswer no_helix(const Motion& motion, const MatchResult& result) const;
   Verdict helix_ended() const;
-  OpenStepAnswer wrong_radius(const Motion& motion) const;
-  OpenStepAnswer wrong_way_down(const Motion& motion) const;
-  OpenStepAnswer no_run_out(const Motion& motion) const;
-  OpenStepAnswer wrong_way_back(const Motion& motion) const;
-  OpenStepAnswer not_away(const Motion& motion) const;
+  FreeStepAnswer wrong_radius(const Motion& motion) const;
+  FreeStepAnswer wrong_way_down(const Motion& motion) const;
+  FreeStepAnswer no_run_out(const Motion& motion) const;
+  FreeStepAnswer wrong_way_back(const Motion& motion) const;
+  FreeStepAnswer not_away(const Motion& motion) const;
   std::string want_text() const;
 
   Number radius() const { return item_.radius_of_pass(pass_); }
@@ -92,10 +92,10 @@ class ThreadJudge : public OpenStep {
   bool is_below(const Position& at) const { return geometry_.is_below(at); }
   bool is_named() const { return side_ != 0; }
   bool is_safe(const Position& at) const { return geometry_.is_safe(at, side_); }
-  // What the way back and the way to the safe position are free of.
   bool is_falling(const Motion& motion) const {
     return height(motion.to()) < highest_ - tolerances_.tolerance;
   }
+  // What the way back and the way to the safe position are free of.
   Number radius_kept() const { return promises_clearance() ? item_.start_radius : radius(); }
 
   const reference::ThreadMilling& item_;

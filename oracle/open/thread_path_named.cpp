@@ -73,11 +73,11 @@ bool ThreadJudge::passes_end_of_thread(const Motion& motion) const {
          (end - motion.from[axes_.p]).sign() * (motion.to()[axes_.p] - end).sign() > 0;
 }
 
-OpenStepAnswer ThreadJudge::take_named(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take_named(const Motion& motion) {
   if (phase_ == Phase::away) step_ = Step::away;
   while (true) {
     if (step_ == Step::over) {
-      return is_end_untold() ? OpenStepAnswer::end(motion.from) : take_after_last(motion);
+      return is_end_untold() ? FreeStepAnswer::end(motion.from) : take_after_last(motion);
     }
     if (step_ == Step::helix) return take_entry(motion);
     if (!line_ && !prepare_named(motion.from)) {
@@ -97,11 +97,11 @@ OpenStepAnswer ThreadJudge::take_named(const Motion& motion) {
       next_named(motion.from);
       continue;
     }
-    if (passes_end_of_thread(motion)) return OpenStepAnswer::end(line_want_.to());
+    if (passes_end_of_thread(motion)) return FreeStepAnswer::end(line_want_.to());
     if (result.departure == Departure::undecided)
-      return OpenStepAnswer::gap(result.gap, result.reason);
+      return FreeStepAnswer::gap(result.gap, result.reason);
     const bool feed = result.departure == Departure::feed;
-    OpenStepAnswer answer =
+    FreeStepAnswer answer =
         fault(feed ? VerdictKind::fail_feed : VerdictKind::fail_geometry,
               feed ? "GSK-G114-08"_clause : "GSK-G114-06"_clause, motion, result.reason);
     answer.verdict.want = record_text(line_want_.record);

@@ -11,10 +11,10 @@ using reference::operator""_clause;
 
 namespace {
 
-OpenStepAnswer untold_end() {
-  return OpenStepAnswer::gap(
+FreeStepAnswer untold_end() {
+  return FreeStepAnswer::gap(
       GapReason::two_readings,
-      "Without block numbers it cannot be told where the motions of the thread end, because the "
+      "Without block numbers nothing shows where the motions of the thread end, because the "
       "tool stands at the initial plane already.");
 }
 
@@ -22,7 +22,7 @@ OpenStepAnswer untold_end() {
 
 // J-THR-06: along d alone from where the run-out ended; GSK-G114-10: with J >= t_n that keeps off
 // the material.
-OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
   if (!is_below(motion.from) && !is_below(motion.to()) && !geometry_.is_above(motion.to())) {
     // So shallow that the way back was too small to see.
     phase_ = Phase::away;
@@ -48,14 +48,14 @@ OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
 
 // The return to the R plane and the traverse to the initial plane in one: right where the tool
 // stands at a safe position already.
-OpenStepAnswer ThreadJudge::rise_beyond(const Motion& motion) {
+FreeStepAnswer ThreadJudge::rise_beyond(const Motion& motion) {
   phase_ = Phase::away;
   Position here = motion.from;
   here[axes_.d] = item_.r_plane;
   position_ = here;
   const bool to_initial = agree(motion.to()[axes_.d], item_.initial_plane, tolerances_.tolerance) ||
                           !tolerances_.compare_blocks;
-  if (complete() && to_initial) return OpenStepAnswer::end(here);
+  if (complete() && to_initial) return FreeStepAnswer::end(here);
   return not_away(motion);
 }
 
@@ -69,7 +69,7 @@ bool ThreadJudge::passes_safety(const Motion& motion, bool is_clear) const {
 }
 
 // J-THR-06: along p alone, clear of the part, until the tool is at a safe position.
-OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take_away(const Motion& motion) {
   if (is_named()) return take_named(motion);
   const Number& tau = tolerances_.tolerance;
   const bool safe = is_safe(position_);  // infeed may follow that is too small to see
@@ -108,7 +108,7 @@ bool ThreadJudge::is_end_untold() const {
 }
 
 // J-THR-09. After the last pass the tool returns along d to the initial plane.
-OpenStepAnswer ThreadJudge::take_after_last(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take_after_last(const Motion& motion) {
   const Number& tau = tolerances_.tolerance;
   const bool at_initial = agree(item_.r_plane, item_.initial_plane, tau);
   // GSK-G114-07. The initial plane may lie below the R plane (gsk.thread.direction = free).
@@ -119,10 +119,10 @@ OpenStepAnswer ThreadJudge::take_after_last(const Motion& motion) {
   // In pieces, of which one was dropped, the last may be no motion that is seen.
   const bool is_small = agree(motion.from, motion.to(), tau);
   if ((geometry_.moves_depth_alone(motion) || is_small) && to_initial && !at_initial) {
-    return OpenStepAnswer::end(motion.from);
+    return FreeStepAnswer::end(motion.from);
   }
   if (is_below(motion.to())) {
-    if (is_end_untold()) return OpenStepAnswer::end(motion.from);
+    if (is_end_untold()) return FreeStepAnswer::end(motion.from);
     return fault(VerdictKind::fail_geometry, "GSK-G114-04"_clause, motion,
                  "The tool goes below the R plane again after the last pass.");
   }

@@ -19,7 +19,7 @@ using reference::ThreadRunOut;
 inline constexpr std::array<ThreadRunOut, 3> kRunOuts = {ThreadRunOut::polar, ThreadRunOut::radial,
                                                          ThreadRunOut::tangent};
 
-// Which of the named run-outs explain all passes so far: one holds for a whole program.
+// Which of the named run-outs explain all passes so far: a whole program has one.
 class RunOutSet {
  public:
   bool has(ThreadRunOut run_out) const { return left_[index_of(run_out)]; }
@@ -43,24 +43,24 @@ class RunOutSet {
 class ThreadRunOutJudge {
  public:
   // `helix` has been followed to `from`, `to_end` leads from its start to its end; these and
-  // `geometry` outlive the judge. `allowed`: of those that the reading names, what the passes
-  // before have left.
+  // `geometry` outlive the judge. `allowed`: what earlier passes have left of `named`, those that
+  // the reading names.
   ThreadRunOutJudge(const ThreadGeometry& geometry, const Number& pass, const OpenHelix& helix,
                     const Similarity& to_end, const Position& from, const RunOutSet& allowed,
                     const RunOutSet& named);
   ThreadRunOutJudge(const ThreadRunOutJudge&) = delete;
 
-  // On the named path in a bore, where an arc that leaves the helix tangentially turns as it does.
+  // On the named path in a bore: an arc that leaves the helix tangentially turns as the helix does.
   void turn_with_helix() { turns_with_helix_ = true; }
 
   // A cut in the plane, without its height. False: it belongs to none of the run-outs.
   bool take(const Motion& flat);
   // A straight cut that is admissible as a chord of the polar arc alone (J-THR-01).
   bool take_chord(const Motion& flat);
-  // Those that end here. Throws exact::Undecided where that is not known of the only ones.
+  // The run-outs that end here. Throws exact::Undecided where that is not known of the only ones.
   RunOutSet ending_at(const Position& here) const;
-  // For the evidence: whether one of them ends here, on any way to it, or one that the passes
-  // before rule out.
+  // For the evidence: whether one of them ends here, on any way to it; whether one does that the
+  // passes before rule out.
   bool is_end(const Position& here) const;
   bool is_end_of_another(const Position& here) const;
   bool has_begun() const { return begun_; }
@@ -68,8 +68,8 @@ class ThreadRunOutJudge {
   double swept() const { return swept_.estimate(); }
   // How far along an axis a point is from the nearest of their ends.
   Number distance_from_end(const Position& here) const;
-  // J-THR-05: whether the run-out of the reading leads into the material by itself. The polar one
-  // decides where it is open: where that does, the straight ones do.
+  // J-THR-05: whether the run-out of the reading leads into the material by itself. Where the
+  // reading is open the polar one decides: where that does, the straight ones do.
   bool is_unfit() const;
 
  private:

@@ -55,20 +55,20 @@ Clearance ThreadJudge::clearance_where_risen(const Motion& motion, const Motion&
                   : geometry_.clearance(flat, item_.start_radius, part);
 }
 
-OpenStepAnswer ThreadJudge::take_run_out(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take_run_out(const Motion& motion) {
   if (is_cut(motion.record.kind)) {
     if (is_remainder(motion)) return wait();
     if (geometry_.moves_in_plane(motion)) return take_run_out_cut(motion);
   }
   if (std::optional<Verdict> verdict = finish_run_out(motion)) {
-    return OpenStepAnswer::decide(*std::move(verdict));
+    return FreeStepAnswer::decide(*std::move(verdict));
   }
   phase_ = Phase::way_back;
   run_out_end_ = motion.from;
   return take_way_back(motion);
 }
 
-OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
+FreeStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
   const Number rise = geometry_.height_over_bottom(motion.to());
   if (rise < -tolerances_.tolerance) {
     return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion,
@@ -105,7 +105,7 @@ OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
   }
   highest_ = max(highest_, height(motion.to()));
   if (!is_unfit || run_out_->ending_at(flat.to()).empty()) return {};
-  return OpenStepAnswer::gap(GapReason::reading_unfit,
+  return FreeStepAnswer::gap(GapReason::reading_unfit,
                              "The run-out of the reading leads into the material by itself.");
 }
 
@@ -124,7 +124,7 @@ std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
   } else if (run_out_->is_end_of_another(motion.from)) {
     message = kAnotherRunOut;
   }
-  OpenStepAnswer answer = fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause,
+  FreeStepAnswer answer = fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause,
                                 has_begun ? *last_ : motion, std::move(message));
   if (has_begun) answer.verdict.record = last_->number + last_->behind_first;
   answer.verdict.witness = point_text(motion.from, {Axis::x, Axis::y, Axis::z});
@@ -133,7 +133,7 @@ std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
 }
 
 // A cut at the bottom that none of the run-outs makes.
-OpenStepAnswer ThreadJudge::no_run_out(const Motion& motion) const {
+FreeStepAnswer ThreadJudge::no_run_out(const Motion& motion) const {
   const bool round = motion.record.kind == RecordKind::arc;
   std::string message = "The run-out leads to another point than the readings name.";
   if (item_.runout_length.sign() == 0) {

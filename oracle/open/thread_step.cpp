@@ -9,11 +9,11 @@ using Path = ThreadJudge::Path;
 
 namespace {
 
-OpenStepAnswer answer_of(ThreadJudge& judge, const Motion& motion) {
+FreeStepAnswer answer_of(ThreadJudge& judge, const Motion& motion) {
   try {
     return judge.take(motion);
   } catch (const exact::Undecided& undecided) {
-    return OpenStepAnswer::decide(undecided_verdict(undecided));
+    return FreeStepAnswer::decide(undecided_verdict(undecided));
   }
 }
 
@@ -32,14 +32,14 @@ ThreadStep::ThreadStep(const reference::ThreadMilling& item, const Position& sta
 
 void ThreadStep::begin(Way& way) {
   way.judge.emplace(item_, way.path, start_, tolerances_, run_outs_);
-  std::optional<OpenStepAnswer> taken;
+  std::optional<FreeStepAnswer> taken;
   for (std::size_t i = 0; i < taken_.size() && way.is_left; ++i) take_by(way, taken_[i], i, taken);
 }
 
-// Of two departures the later one counts; but what is not known of the other must stay known.
+// The later of two departures counts; but an undecided answer stays.
 void ThreadStep::take_by(Way& way, const Motion& motion, std::size_t number,
-                         std::optional<OpenStepAnswer>& taken) {
-  OpenStepAnswer answer = answer_of(*way.judge, motion);
+                         std::optional<FreeStepAnswer>& taken) {
+  FreeStepAnswer answer = answer_of(*way.judge, motion);
   way.is_left = !answer.is_decided();
   if (way.is_left) {
     taken = std::move(answer);
@@ -50,8 +50,8 @@ void ThreadStep::take_by(Way& way, const Motion& motion, std::size_t number,
   }
 }
 
-OpenStepAnswer ThreadStep::take(const Motion& motion) {
-  std::optional<OpenStepAnswer> taken;
+FreeStepAnswer ThreadStep::take(const Motion& motion) {
+  std::optional<FreeStepAnswer> taken;
   bool all_begun = true;
   for (Way& way : ways_) {
     if (!way.is_left) continue;
@@ -68,7 +68,7 @@ OpenStepAnswer ThreadStep::take(const Motion& motion) {
   } else {
     taken_.push_back(motion);
   }
-  return taken ? *std::move(taken) : OpenStepAnswer::decide(*departed_);
+  return taken ? *std::move(taken) : FreeStepAnswer::decide(*departed_);
 }
 
 std::optional<Verdict> ThreadStep::end(const Position& here) {

@@ -69,7 +69,7 @@ void add_cleared(Bands& bands, const Cleared& cleared);
 // middle line. False when they are too many.
 bool append_stretch(const Arc& arc, const Stretch& stretch, Interval reach, double width,
                     std::vector<Band>& out);
-// That of a line that is known by its enclosures only, with the discs about its ends.
+// The band of a line that is known by its enclosures only, with the discs about its ends.
 void append_line(const IntervalVector& from, const IntervalVector& to, Interval reach,
                  std::vector<Band>& out);
 // The disc about a point.

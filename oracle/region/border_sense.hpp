@@ -27,8 +27,8 @@ class BorderSense {
   Course of_line(const Line& line) const;
   Course of_arc(const Arc& arc, bool counterclockwise) const;
 
-  // Whether, of pieces in a row, one surely runs along the border, or a place lies on it, and
-  // how a way along it, long enough, leads from one point to another.
+  // For pieces in a row: whether one surely runs along the border, whether a place lies on it, and
+  // how a way along it, if long enough, leads from one point to another.
   bool runs_along(const Line& line) const;
   bool touches(const PlanePoint& place) const;
   bool is_long_enough(const PlanePoint& from, const PlanePoint& to) const;
@@ -53,11 +53,11 @@ class BorderSense {
 // J-PKT-06: how far the path has run back along the border since it was farthest on.
 class WayBack {
  public:
-  // More than between these two is too far.
+  // What is too far lies between `least` and `most`.
   WayBack(const Number& least, const Number& most)
       : limit_(enclose(least).inf(), enclose(most).sup()) {}
-  // A motion that runs along the border as the one says if it is narrow, and the other if it is
-  // wide. Whether the path has run back too far.
+  // Adds a motion and says whether the path has run back too far. `narrow` and `wide`: how it runs
+  // along the border when that is taken as narrow and as wide as it may be.
   Against add(const Course& narrow, const Course& wide);
 
  private:

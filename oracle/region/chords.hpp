@@ -10,7 +10,7 @@
 
 namespace gonogo::oracle::region {
 
-// Tells of each motion whether it is a chord: a line that, together with the line before or after
+// Says of each motion whether it is a chord: a line that, together with the line before or after
 // it, turns by less than 90 degrees and runs nowhere farther than `limit` from the circle through
 // the three ends.
 std::vector<bool> find_chords(std::span<const LevelMotion> motions, const Number& limit);

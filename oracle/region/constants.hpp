@@ -21,7 +21,7 @@ inline constexpr double kBeside = 1e-9;
 // mm | a place so near to a band may lie on its border; less than a place beside it | R8
 inline constexpr double kUnsure = 1e-11;
 // mm, or of a length | what is shorter is left to exact numbers, the band of such a line to the
-// discs about its ends | R2, R8
+// discs about its ends; the least progress | R2, R8, J-CYC-02
 inline constexpr double kShort = 1e-6;
 // mm | half the side of the windows in which exact sets decide | R8
 inline constexpr double kWindow = 1e-5;

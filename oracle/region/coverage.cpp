@@ -181,7 +181,7 @@ Coverage Decision::settle(const std::vector<std::uint32_t>& near,
   } catch (const CircleSetsError& error) {
     return undecided(GapReason::comparison, error.what());
   }
-  return undecided(GapReason::comparison, "What is left uncovered is too small to prove it.");
+  return undecided(GapReason::comparison, "The uncovered part is too small to prove it.");
 }
 
 Coverage Decision::by_circle_sets() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the units of a path end, by time: which one last was farther off than a limit.
+// Where the units of a path end, by time: which unit was the last to end farther off than a limit.
 #pragma once
 
 #include <cstdint>

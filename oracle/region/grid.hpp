@@ -17,7 +17,7 @@ class Grid {
   // Cells over the square of the given half side about the origin. The bands must outlive the grid.
   Grid(std::span<const Band> bands, double half_side, double reach);
 
-  // Good until the grid goes.
+  // Valid as long as the grid.
   std::span<const std::uint32_t> near(double x, double y) const;
   // Those near any point of the box of the given half width, each once.
   std::vector<std::uint32_t> near_box(double x, double y, double half) const;

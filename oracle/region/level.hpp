@@ -17,8 +17,8 @@ namespace gonogo::oracle::region {
 
 using exact::Number;
 
-// A point of the plane (first and second axis), mm; also a vector. What the kernel of
-// reference/geometry/ says of it, for code that does without it.
+// A point of the plane (first and second axis), mm; also a vector. It has the operations of the
+// kernel of reference/geometry/, for code that does without that kernel.
 struct PlanePoint {
   Number p;
   Number q;
@@ -87,9 +87,9 @@ struct CommonLevel {
 };
 
 // What a level of a circular pocket (GSK G110/G111) must satisfy.
-//   gouge: no motion more than `tolerance` outside E, the disc of radius pocket_radius -
-//   tool_radius cover: every point of the disc of radius pocket_radius lies within tool_radius +
-//   tolerance of
+//   gouge: no motion more than `tolerance` outside E, the disc of radius
+//          pocket_radius - tool_radius
+//   cover: every point of the disc of radius pocket_radius lies within tool_radius + tolerance of
 //          the arcs or the plunge point
 //   step:  every point of E lies within step/2 + tolerance of the arcs or the plunge point
 //   sense: every arc turns as `sense` says, and the path goes round the centre that way
@@ -114,7 +114,7 @@ struct CircularLevel : CommonLevel {
 //          the motions or the plunge point
 // A motion that runs no more than the tolerance beside the border runs along it, if it is longer
 // than four times the tolerance.
-// A chord is added to the tolerance of cover, of lines also to those of gouge and of running along
+// A chord is added to the tolerance of cover; for lines also to those of gouge and of running along
 // the border.
 struct RectangularLevel : CommonLevel {
   RoundedRectangle area;                    // its radius is at least the tool's

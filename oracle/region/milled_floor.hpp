@@ -16,8 +16,8 @@ class MilledFloor {
       : area_(area), radius_(radius), roughed_(enclose(roughed)) {}
 
   void add(const LevelMotion& motion);
-  // A place of the floor that is milled, when so much of it is: the path is longer in what roughing
-  // left than twice the way to the contour and back, and mills more than half of the rest of the
+  // A milled place of the floor, where too much of it is milled: in what roughing left the path is
+  // longer than twice the way to the contour and back, and mills more than half of the rest of the
   // floor, or more than the tool does along that way.
   std::optional<PlanePoint> milled_place() const;
 

@@ -11,7 +11,7 @@ namespace gonogo::oracle::region {
 
 struct Target {
   RoundedRectangle area;  // about the origin; its radius is above 0
-  // What need not be: covered before, and so as good as a part of the path's bands.
+  // What need not be reached: covered before, it counts as a part of the path's bands.
   std::optional<RoundedRectangle> cleared;
   Number reach;  // > 0
   // How much farther than the reach a point must lie to prove that it is not covered.

@@ -11,8 +11,8 @@
 
 namespace gonogo::oracle {
 
-// Open is a reading of which the profile says "any", and which is not judged by properties. The set
-// is every way to choose for each of them one of its values.
+// A reading is open when the profile says "any" for it and it is not judged by properties. The set
+// holds each way to choose one value for every open reading.
 class AssignmentSet {
  public:
   // All that the profile leaves open.
@@ -21,16 +21,16 @@ class AssignmentSet {
   // The readings of the dialect that may be open.
   std::span<const reference::ReadingKey> openable() const { return *openable_; }
   bool leaves_open() const;
-  // What an open reading may be; a run takes the first. None of a reading that is not open.
+  // The values of an open reading; a run takes the first. Empty for a reading that is not open.
   std::span<const std::string_view> values(reference::ReadingKey key) const;
   // What a run takes.
   reference::ReadingChoice taken() const;
 
-  // Those in which the reading has that value, and the others. REQUIRES: it is one of its values.
+  // The set with that value of the reading alone; without it. REQUIRES: it is one of its values.
   AssignmentSet with(reference::ReadingKey key, std::string_view value) const;
   void leave_out(reference::ReadingKey key, std::string_view value);
 
-  // Each of them; a reading of which all values are left stays open in it.
+  // Each combination; a reading that has all its values left stays open in it.
   std::vector<reference::ReadingChoice> choices() const;
   // The readings of which not all are left.
   std::vector<reference::ReadingKey> settled() const;

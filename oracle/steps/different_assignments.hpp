@@ -12,7 +12,7 @@
 
 namespace gonogo::oracle {
 
-// What is looked at of a program, in items of the reference.
+// How many items of the reference are looked at.
 inline constexpr std::size_t kAllItems = SIZE_MAX;
 
 // The readings that a run of the reference under this profile asks for.
@@ -20,14 +20,14 @@ std::vector<reference::ReadingKey> touched_by(const reference::Profile& profile,
                                               const ProgramText& program,
                                               std::size_t most_items = kAllItems);
 
-// The assignments under which the reference says different things of the program, each of which
-// stands for all that say the same; the first holds what `expand` shows. Nothing: they are more
-// than kMaximumAssignments.
+// The assignments under which the reference says different things of the program. Each stands for
+// all that say the same; the first holds what `expand` shows. Nothing: there are more than
+// kMaximumAssignments.
 std::optional<std::vector<AssignmentSet>> different_assignments(const reference::Profile& profile,
                                                                 const ProgramText& program,
                                                                 std::size_t most_items = kAllItems);
 
-// The same, each for itself, where readings that make no difference stay open.
+// The same assignments one by one; readings that make no difference stay open.
 struct Assignments {
   std::vector<reference::ReadingChoice> choices;  // at least one
   std::vector<reference::ReadingKey> open;        // that make a difference
@@ -43,20 +43,20 @@ std::vector<reference::ReadingKey> open_lengths(const AssignmentSet& set,
 // Whether a reading of the set that is open was asked for.
 bool asks_open(const AssignmentSet& set, const reference::ReadingsInUse& asked);
 
-// Whether a control may do something else under a reading that the profile leaves open. `asked`: by
-// a run of the program under the profile.
+// Whether a control may do something else under a reading that the profile leaves open. `asked`:
+// the readings that a run of the program under the profile asked for.
 bool has_other_outcomes(const reference::Profile& profile, const ProgramText& program,
                         const reference::ReadingsInUse& asked);
 
-// The profile with the readings under which a program is shown: as they are, where it ends without
-// an alarm; else a combination of the open ones under which it does, if there is one.
+// The profile with the readings under which a program is shown: its own, if the program ends
+// without an alarm under them; else a combination of the open ones under which it does, if any.
 reference::Profile profile_to_show(const reference::Profile& profile, const ProgramText& program);
 
 reference::Profile with_readings(const reference::Profile& profile,
                                  reference::ReadingChoice choice);
 
-// Puts behind the others those of a set that say different things; the first of them is what a run
-// of the set itself takes. False: there are too many.
+// Appends the assignments of a set that say different things, first the one that a run of the set
+// itself takes. False: there are too many.
 bool add_different(const reference::Profile& profile, const ProgramText& program, AssignmentSet set,
                    std::vector<AssignmentSet>& different, std::size_t most_items = kAllItems);
 

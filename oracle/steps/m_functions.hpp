@@ -13,15 +13,15 @@
 
 namespace gonogo::oracle {
 
-// One that the reference passes on.
+// An M function that the reference passes on.
 struct DueMFunction {
   reference::Record record;
   std::size_t step = 0;   // the step of the reference that it comes before
   bool is_fixed = false;  // it stands nowhere else
 };
 
-// What the numbers say that all makers share: it ends the program, so that nothing runs behind it;
-// it starts or closes what a cut needs; it stops or ends something.
+// What an M function does by the numbers that all makers share: it ends the program, so that
+// nothing runs behind it; it starts or closes what a cut needs; it stops or ends something.
 bool ends_program(const reference::Record& m_function);
 bool starts_something(const reference::Record& m_function);
 bool stops_something(const reference::Record& m_function);
@@ -30,16 +30,16 @@ bool stops_something(const reference::Record& m_function);
 // what the block means.
 std::size_t times_named(std::string_view line, std::int32_t number);
 
-// It is due, and something else comes (`got`, record `number`).
+// The M function is due, and something else comes (`got`, record `number`).
 Verdict m_function_missing(const reference::Record& due, std::string got, std::size_t number);
-// The subject's, its record `number`, is another than is due; stands between the motions of a cycle
-// or within a cut; comes before it is due; or is due nowhere hereabouts.
+// The subject's M function, its record `number`: it is another than the due one; stands between the
+// motions of a cycle or within a cut; comes before it is due; or is due nowhere near.
 Verdict other_m_function(const reference::Record& due, const reference::Record& got,
                          std::size_t number);
 Verdict m_function_within(const reference::Record& due, const reference::Record& got,
                           std::size_t number);
 inline constexpr std::string_view kComesEarly = "An M function comes before it is due.";
-// With the text of what is due there.
+// `due`: the text of what is due there.
 Verdict m_function_too_early(const reference::Record& got, std::size_t number, std::string due);
 Verdict m_function_too_many(const reference::Record& got, std::size_t number, std::string due);
 

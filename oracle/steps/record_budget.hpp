@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <optional>
 
-#include "oracle/steps/program_input.hpp"
 #include "oracle/region/constants.hpp"
+#include "oracle/steps/program_input.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
 
-// J-CYC-02: 10 times those of the reference and 1,000, of records that make no progress. The
+// J-CYC-02: records that make no progress may be 10 times those of the reference, and 1,000. The
 // reference's are counted only as far as needed.
 class RecordBudget {
  public:
@@ -24,8 +24,8 @@ class RecordBudget {
   bool allows(std::size_t records, std::size_t live);
   // Whether so few are left that it is worth looking for progress.
   bool runs_low(std::size_t records, std::size_t live) const;
-  // A record that makes progress (J-CYC-02), or does not count because something else limits how
-  // many of its kind there are: a chord that goes on along an arc of the reference, a cut of a
+  // Records that led to progress (J-CYC-02), or do not count because something else limits how
+  // many of their kind there are: a chord that goes on along an arc of the reference, a cut of a
   // level of a pocket.
   void forgive(std::size_t records = 1) { forgiven_ += records; }
   // A cut of a level whose rings the reference counts. Where the path that is shown ends in an

@@ -33,7 +33,7 @@ class RecordLog {
               const std::function<bool(const reference::Record&)>& take) const;
 
  private:
-  // Items one behind the other. Only of the last does it matter how the subject put it.
+  // Items in a row. How the subject put them matters only for the last.
   struct Run {
     std::shared_ptr<const reference::Profile> profile;
     std::size_t first;

@@ -68,14 +68,14 @@ class ReferenceSteps {
   }
   // The first of them has come.
   void take_m_function();
-  // One of them, which stands so far behind the first and in its block, is to come first (R5).
+  // Brings one of them to the front (R5): it stands so far behind the first, and in its block.
   void bring_forward(std::size_t place);
   // Nobody asks for those that follow.
   void leave_out_m_functions() { leaves_out_m_functions_ = true; }
 
-  // After step `number`, whose path is open, the reference goes on from where the subject left it:
+  // After step `number`, whose path is open, the reference goes on from where the subject left it.
   // `moves_machine`: blocks that follow start from there, too. False where it goes on from
-  // elsewhere already, for the subject's motions have been read in another way.
+  // elsewhere already, because the subject's motions have been read in another way.
   [[nodiscard]] bool go_on_from(std::size_t number, const Position& place, bool moves_machine);
   // Whether blocks start from where the subject was: then items depend on what it did.
   bool was_moved() const { return was_moved_; }

@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "oracle/steps/reference_steps.hpp"
 #include "oracle/records/point_text.hpp"
 #include "oracle/records/subject_outcome.hpp"
+#include "oracle/steps/reference_steps.hpp"
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
@@ -29,7 +29,7 @@ std::string point_text(const reference::Position& point, reference::AxisSet axes
 // Exact, as in a record but without quotes round it.
 std::string exact_text(const reference::Number& value);
 
-// What is not judged because two numbers are not told apart.
+// What is not judged because two numbers cannot be distinguished.
 Verdict undecided_verdict(const exact::Undecided& undecided);
 
 }  // namespace gonogo::oracle

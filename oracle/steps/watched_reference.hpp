@@ -19,13 +19,13 @@ enum class Forking : std::uint8_t { when_different, when_asked };
 
 class WatchedReference {
  public:
-  // `watched`: the assignments that the profile's readings were taken from; null: they are all that
-  // counts. Everything must outlive the run.
+  // `watched`: the assignments from which the profile's readings were taken; null: only these
+  // readings count. Everything must outlive the run.
   WatchedReference(const reference::Profile& profile, const ProgramText& program,
                    const AssignmentSet* watched, Forking forking);
   ~WatchedReference();
 
-  // As of an Expander.
+  // The same as in an Expander.
   const reference::Item* next();
   void stand_at(const reference::Position& position);
   void go_past_end();
@@ -33,8 +33,8 @@ class WatchedReference {
   bool is_in_order() const { return expander_.is_in_order(); }
   std::string failed_words() const { return expander_.failed_words(); }
 
-  // An alternative under which the last item, or one before, is another, or is one for some answer
-  // to a reading that the run itself did not ask for.
+  // An alternative under which the last item, or an earlier one, differs; or does so for some
+  // answer to a reading that the run itself did not ask for.
   struct Parted {
     reference::ReadingKey key;
     std::string_view value;

@@ -10,7 +10,7 @@
 
 namespace gonogo::oracle {
 
-class OpenStepMemory {
+class FreeStepMemory {
  public:
   RunOutSet run_outs;                           // that explain the threads so far
   std::optional<reference::PocketLevel> level;  // the last one that was judged GO

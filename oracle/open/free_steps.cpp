@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which judge a free step has. A cycle whose path is open comes in here.
+#include "oracle/open/free_step_memory.hpp"
 #include "oracle/open/helix_pocket_judge.hpp"
-#include "oracle/open/open_step_memory.hpp"
 #include "oracle/open/pocket_level_step.hpp"
 #include "oracle/open/pocket_milling_judge.hpp"
 #include "oracle/open/thread_step.hpp"
 
 namespace gonogo::oracle {
 
-bool is_open_step(const ReferenceStep& step) {
+bool is_free_step(const ReferenceStep& step) {
   return std::holds_alternative<reference::PocketLevel>(step) ||
          std::holds_alternative<reference::HelixPocket>(step) ||
          std::holds_alternative<reference::ThreadMilling>(step) ||
          std::holds_alternative<reference::PocketMilling>(step);
 }
 
-std::unique_ptr<OpenStep> make_open_step(const ReferenceSteps::Step& step,
-                                         const Tolerances& tolerances, OpenStepMemory& memory) {
+std::unique_ptr<FreeStep> make_free_step(const ReferenceSteps::Step& step,
+                                         const Tolerances& tolerances, FreeStepMemory& memory) {
   if (auto* level = std::get_if<reference::PocketLevel>(&step.what)) {
     return std::make_unique<PocketLevelStep>(*level, step.place, tolerances, memory.level);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/open/open_step.hpp"
+#include "oracle/open/free_step.hpp"
 
 #include <fmt/format.h>
 
