@@ -20,7 +20,9 @@ const Plane& arc_plane(const Machine& machine, const Block& block) {
   if (block.has(centre_address(other))) return active;
   const std::size_t common = other == active.p ? active.q : active.p;
   const bool one_word = block.has(centre_address(common)) && !block.has(centre_address(active.d));
-  if (one_word && machine.follows("sie.arc.plane=helix"_reading)) return active;
+  const bool radius_alone = block.has(Address::kRadius) && !block.has_any(kCentreWords);
+  const bool winds = one_word || radius_alone;
+  if (winds && machine.follows("sie.arc.plane=helix"_reading)) return active;
   // The third axis of the chosen plane is the one without a word.
   return other == GONOGO_X ? plane_of(19) : other == GONOGO_Y ? plane_of(18) : plane_of(17);
 }
@@ -175,6 +177,7 @@ void plan_arc(Machine& machine, const Arc& arc, int rot, const Direction& headin
     const Point to = machine.output(target.to);
     const Axes axes = machine.frame.to_machine(target.axes);
     arrive(machine, target, heading);
+    clear_untravelled(machine, plane_axes(plane));
     return machine.tracer.arc(plane, middle[plane.p], middle[plane.q], rot, to, axes, feed);
   };
 }

@@ -49,6 +49,9 @@ struct Levels {
   Fixed depth(Fixed k) const;
 };
 
+/// From one pass over a wide strip to the next, in radii of the tool.
+inline constexpr double kBetweenPasses = 1.3;
+
 struct Pocket {
   int plane = 17;
   Real centre_p = 0;
@@ -60,7 +63,7 @@ struct Pocket {
   double radius = 0;          ///< of the tool
   bool strip_only = false;    ///< above the last level only the rest that roughing has left is cut
   bool contour_only = false;  ///< at the last level too
-  bool wide_strip = false;    ///< that rest is more than one pass takes
+  int inner_passes = 0;       ///< over that rest, besides the one along the border
   int sense = 1;              ///< of the contour: 1 counterclockwise, -1 clockwise
   Feed depth_feed;
   Feed plane_feed;

@@ -109,7 +109,7 @@ inline constexpr auto kFaults = std::to_array<FaultDescription>({
      "retract plane of a chain of holes"},
     {"cycle-plane-equality-refused", "R101 = R103 + R102 is refused", "SIE-LC82-02",
      "<= written for <"},
-    {"cycle-feed-stays", "the last feed of LCYC75 stays as F", "SIE-LC82-03",
+    {"cycle-feed-stays", "the last feed of LCYC75 stays as F", "SIE-LC75-14",
      "modal state not put back"},
     {"cycle-g0-stays", "after a cycle G0 is in force", "SIE-LC82-03", "modal state not put back"},
     {"cycle-parameter-lost", "LCYC75 leaves its infeed in R121", "SIE-LC75-01",

@@ -171,9 +171,10 @@ void Interpreter::take_modes() {
     const int plane = code->tenths / 10;
     // SIE-FRM-04
     if (!machine_.frame.allows(plane)) machine_.complain(AlarmKind::kPlaneNotAllowed);
+    // SIE-POL-02, SIE-POL-04
+    const bool stays = plane == state.plane && machine_.follows("sie.pole.same-plane=kept"_reading);
+    if (!stays && !machine_.has("pole-kept-by-plane"_fault)) place_pole(state, Pole{});
     state.plane = plane;
-    // SIE-POL-02
-    if (!machine_.has("pole-kept-by-plane"_fault)) place_pole(state, Pole{});
   }
   if (const Code* code = block_.code(Group::kUnits)) state.inch = code->tenths == 700;
   if (const Code* code = block_.code(Group::kDimension)) state.incremental = code->tenths == 910;
@@ -198,6 +199,7 @@ void Interpreter::take_feed() {
   const Fixed written = block_.number(Address::kFeed).value;
   if (written < 0) return machine_.complain(AlarmKind::kValueSign, Address::kFeed, block_);
   machine_.state.feed = written;
+  machine_.state.feed_of_cycle = false;
 }
 
 void Interpreter::take_spindle() {

@@ -4,9 +4,19 @@
 
 namespace gonogo::expanders::sinumerik {
 
+void clear_untravelled(Machine& machine, Axes axes) {
+  Direction& untravelled = machine.state.untravelled;
+  Direction along = machine.frame.to_workpiece(untravelled);
+  for (std::size_t axis = 0; axis < along.size(); ++axis) {
+    if ((axes & axis_bit(axis)) != 0) along[axis] = 0;
+  }
+  untravelled = machine.frame.to_machine(along);
+}
+
 void arrive(Machine& machine, const Target& target, const Direction& heading) {
   State& state = machine.state;
   state.position = target.to;
+  clear_untravelled(machine, target.axes);
   // SIE-CT-02: motions without length leave it.
   if (!is_nothing(heading)) state.heading = heading;
   const bool arc = state.motion == Motion::kClockwise || state.motion == Motion::kCounterclockwise;

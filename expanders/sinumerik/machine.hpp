@@ -32,10 +32,12 @@ struct Pole {
 /// All that one block hands to the next; places are those of the workpiece.
 struct State {
   Place position{};
+  Direction untravelled{};  ///< changes of the shift since each axis moved, of the machine
   bool inch = false;
   bool incremental = false;
   int plane = 17;
-  Fixed feed = 0;  ///< F as it was written; 0: none
+  Fixed feed = 0;              ///< F as it was written; 0: none
+  bool feed_of_cycle = false;  ///< it is R123, which counts millimetres
   bool feed_per_revolution = false;
   Motion motion = Motion::kLine;
   bool spindle_turns = false;
@@ -98,6 +100,8 @@ Axes axes_of(const Block& block);
 Real length_of(const Machine& machine, const Block& block, Address address);
 /// Whether a word counts from the position: as G90 or G91 say, or its brackets.
 bool is_incremental(const State& state, Value::Mode mode);
+/// What an increment along X, Y or Z goes beside its number.
+Real untravelled(const Machine& machine, std::size_t axis);
 /// The point that the words command, polar ones or those of axes. Complains when it is out of
 /// reach.
 Target target_of(Machine& machine, const Block& block);
@@ -135,6 +139,8 @@ void prepare_pocket(Machine& machine, const Block& block, Plan& plan);
 
 /// The tool goes straight to the target; without a feed it traverses.
 void plan_line(Machine& machine, const Target& target, const std::optional<Feed>& feed, Plan& plan);
+/// These axes have moved, and what was shifted along them with them.
+void clear_untravelled(Machine& machine, Axes axes);
 /// The tool is at the target, and goes on from there in this direction; none: as before.
 void arrive(Machine& machine, const Target& target, const Direction& heading);
 

@@ -52,7 +52,7 @@ constexpr KnownName kNames[] = {
     {"CT", {NameKind::kCode, Address::kX, &kTangentCode}},
 };
 
-// 802S alone has it.
+// The 802S has them; on the 840D the cycles are as those of kOutside.
 constexpr KnownName kCycleNames[] = {
     {"RPL", {NameKind::kAddress, Address::kRotation}},
     {"LCYC75", {NameKind::kCode, Address::kX, &kPocketCode}},
@@ -69,7 +69,8 @@ constexpr std::string_view kIgnored =
     "LIMS NORM SPCON SPCOF SPOS SPOSA WAITS ";
 
 constexpr std::string_view kOutside =
-    " LCYC60 LCYC61 LCYC83 LCYC84 LCYC85 LCYC93 LCYC94 LCYC95 LCYC96 LCYC97 LCYC840 ";
+    " LCYC60 LCYC61 LCYC75 LCYC82 LCYC83 LCYC84 LCYC85 LCYC93 LCYC94 LCYC95 LCYC96 LCYC97 "
+    "LCYC840 ";
 
 bool contains(std::string_view list, std::string_view name) {
   return list.find(' ' + std::string(name) + ' ') != std::string_view::npos;

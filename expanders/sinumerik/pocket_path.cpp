@@ -10,10 +10,9 @@ namespace gonogo::expanders::sinumerik {
 namespace {
 
 // In radii of the tool.
-constexpr double kStep = 1.6;        // between lines
-constexpr double kOff = 0.1;         // of the lines from the border
-constexpr double kMostOff = 0.5;     // of a small tool's
-constexpr double kSecondPass = 1.3;  // from the border to the inner pass over a wide strip
+constexpr double kStep = 1.6;     // between lines
+constexpr double kOff = 0.1;      // of the lines from the border
+constexpr double kMostOff = 0.5;  // of a small tool's
 
 // What the lines keep off the border at least, so that none of them is a pass along it: five least
 // increments of 0.001 mm.
@@ -147,9 +146,9 @@ bool PocketPath::level(Fixed depth, bool last) {
   if (!plunge(depth)) return false;
   const bool whole = !pocket_.strip_only || (last && !pocket_.contour_only);
   if (whole) return clear();
-  if (pocket_.wide_strip) {
-    const double most = std::min(kSecondPass * pocket_.radius, area_.half_width);
-    if (!contour(inset(area_, most))) return false;
+  for (int pass = pocket_.inner_passes; pass > 0; --pass) {
+    const double off = std::min(pass * kBetweenPasses * pocket_.radius, area_.half_width);
+    if (!contour(inset(area_, off))) return false;
   }
   return contour(area_);
 }
@@ -184,10 +183,14 @@ bool PocketPath::run(const Target& target) {
   return leave(target);
 }
 
-// Faults of what the cycle leaves behind.
-void spoil_modes(Machine& machine, const Pocket& pocket) {
+// SIE-LC75-14, and faults of what the cycle leaves behind.
+void leave_modes(Machine& machine, const Pocket& pocket) {
   State& state = machine.state;
-  if (machine.has("cycle-feed-stays"_fault)) state.feed = pocket.plane_feed.value;
+  const bool feed_stays = machine.follows("sie.lc75.feed-after=of-cycle"_reading);
+  if (feed_stays || machine.has("cycle-feed-stays"_fault)) {
+    state.feed = pocket.plane_feed.value;
+    state.feed_of_cycle = true;
+  }
   if (machine.has("cycle-g0-stays"_fault)) state.motion = Motion::kRapid;
   if (machine.has("cycle-parameter-lost"_fault)) {
     const Fixed step = pocket.levels.from - pocket.levels.depth(1);
@@ -205,7 +208,7 @@ Fixed Levels::depth(Fixed k) const {
 
 bool mill_pocket(Machine& machine, const Pocket& pocket, const Target& target) {
   const bool goes_on = PocketPath(machine, pocket).run(target);
-  spoil_modes(machine, pocket);
+  leave_modes(machine, pocket);
   return goes_on;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LCYC75: its rules, and what the parameters ask for.
 #include <algorithm>
+#include <cmath>
 
 #include "expanders/sinumerik/cycles.hpp"
 
@@ -25,6 +26,13 @@ int selected(CycleParameters& r, int number, int first, int second) {
   return value == second * kOne ? second : 0;
 }
 
+// 2 or 3 as G2 and G3; 0: neither.
+int direction_code(const Machine& machine, CycleParameters& r) {
+  if (r(126) != 0) return selected(r, 126, 2, 3);
+  if (machine.follows("sie.lc75.no-sense=g2"_reading)) return 2;
+  return machine.follows("sie.lc75.no-sense=g3"_reading) ? 3 : 0;
+}
+
 struct Sides {
   Fixed length;
   Fixed width;
@@ -36,7 +44,7 @@ Sides sides_of(const Machine& machine, CycleParameters& r) {
 }
 
 // SIE-LC75-09: of each number alone.
-void check_numbers(CycleParameters& r) {
+void check_numbers(const Machine& machine, CycleParameters& r) {
   for (const int number : {118, 119}) {
     if (r(number) <= 0) r.complain(AlarmKind::kPocketSize, number);
   }
@@ -45,7 +53,7 @@ void check_numbers(CycleParameters& r) {
   for (const int number : {122, 123}) {
     if (r(number) <= 0) r.complain(AlarmKind::kFeedMissing, number);
   }
-  if (selected(r, 126, 2, 3) == 0) r.complain(AlarmKind::kDirectionParameter, 126);
+  if (direction_code(machine, r) == 0) r.complain(AlarmKind::kDirectionParameter, 126);
   if (selected(r, 127, kRoughing, kFinishing) == 0) r.complain(AlarmKind::kMachiningType, 127);
 }
 
@@ -54,7 +62,8 @@ void check_tool(Machine& machine, CycleParameters& r, int type) {
   constexpr Position kBehindParameters = 1000;
   const Fixed radius = tool_radius(machine);
   if (radius == 0) return machine.complain(AlarmKind::kNoTool, 'T', kBehindParameters);
-  if (r(124) >= 2 * radius) r.complain(AlarmKind::kAllowanceTooLarge, 124);
+  const bool any_rest = type == kFinishing && machine.follows("sie.lc75.finish-limit=none"_reading);
+  if (!any_rest && r(124) >= 2 * radius) r.complain(AlarmKind::kAllowanceTooLarge, 124);
   const bool limited = machine.follows("sie.lc75.r125-limit=alarm"_reading);
   if (limited && r(125) >= 2 * radius) r.complain(AlarmKind::kAllowanceTooLarge, 125);
   if (type == 0 || machine.has("pocket-tool-unchecked"_fault)) return;
@@ -68,7 +77,7 @@ void check_tool(Machine& machine, CycleParameters& r, int type) {
 // SIE-LC75-09
 void check_pocket(Machine& machine, CycleParameters& r, int type) {
   r.check_planes();
-  check_numbers(r);
+  check_numbers(machine, r);
   check_tool(machine, r, type);
   const State& state = machine.state;
   if (!state.spindle_turns || !state.speed_given) {
@@ -107,7 +116,10 @@ void take_area(const Machine& machine, CycleParameters& r, int type, Pocket& poc
   const auto left = static_cast<double>(r(124));
   const bool sharp = corner - left < pocket.radius;
   const bool all = 2 * (left + pocket.radius) > std::min(length, width);
-  pocket.wide_strip = all || left - (sharp ? 0.7 : 1.) * pocket.radius > pocket.radius;
+  const double beyond = all ? std::min(area.half_length, area.half_width) - 0.7 * pocket.radius
+                            : left - (sharp ? 1.7 : 2.) * pocket.radius;
+  const double passes = std::ceil(beyond / (kBetweenPasses * pocket.radius));
+  pocket.inner_passes = static_cast<int>(std::max(passes, all ? 1. : 0.));
 }
 
 // SIE-LC75-05, SIE-LC75-06, SIE-LC75-11
@@ -129,7 +141,7 @@ void take_levels(const Machine& machine, CycleParameters& r, int type, Levels& l
 
 // SIE-LC75-12
 int sense_of(const Machine& machine, CycleParameters& r, int type) {
-  const int sense = selected(r, 126, 2, 3) == 2 ? -1 : 1;
+  const int sense = direction_code(machine, r) == 2 ? -1 : 1;
   if (type == kFinishing && machine.has("pocket-finishing-sense-ignored"_fault)) return 1;
   return machine.has("pocket-sense-flipped"_fault) ? -sense : sense;
 }

@@ -19,19 +19,24 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"sie.arc.correct", "start-radius|project|programmed"},
     {"sie.arc.plane", "ends|helix"},
     {"sie.feed-change", "kept|deleted"},
-    {"sie.g158", "absolute|additive"},
+    {"sie.pole.same-plane", "reset|kept"},
+    {"sie.g158", "absolute|additive|translation-only"},
     {"sie.g258", "absolute|rotation-only"},
+    {"sie.frame.increment", "alone|with-translation"},
     {"sie.rpl-equals", "lenient|required"},
     {"sie.infeed", "equal|max-rest"},
     {"sie.infeed-from", "reference|clearance"},
     {"sie.corner", "clamp|reject"},
     {"sie.lcyc.unit", "mm|inch"},
     {"sie.lc75.r125-limit", "none|alarm"},
+    {"sie.lc75.finish-limit", "alarm|none"},
+    {"sie.lc75.feed-after", "kept|of-cycle"},
+    {"sie.lc75.no-sense", "alarm|g2|g3"},
     // Split levels are right under both; of the ways within a pocket only the own one is offered.
     {"sie.finish.levels", "split"},
     {"sie.pocket.path", "any"},
 });
-inline constexpr std::size_t kReadingsOf840D = 10;
+inline constexpr std::size_t kReadingsOf840D = 11;
 
 consteval Reading operator""_reading(const char* name, std::size_t size) {
   return find_reading(kReadings, {name, size});

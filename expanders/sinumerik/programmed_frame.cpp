@@ -19,16 +19,18 @@ void check_words(Machine& machine, const Block& block, Addresses own) {
 
 // SIE-FRM-01
 void take_shift(Machine& machine, const Block& block, Frame& frame) {
-  const bool adds = machine.follows("sie.g158=additive"_reading) || machine.has("g158-adds"_fault);
-  const bool clears = !block.has_any(kShiftWords) || !adds;
+  const bool any = block.has_any(kShiftWords);
+  const bool adds =
+      any && (machine.follows("sie.g158=additive"_reading) || machine.has("g158-adds"_fault));
+  const bool clears = !adds && !(any && machine.follows("sie.g158=translation-only"_reading));
   if (clears) frame = machine.plain_frame();
   Place step{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Address address = axis_address(axis);
     if (block.has(address)) step[axis] = length_of(machine, block, address);
   }
-  // The words count along the axes as they are turned.
-  frame.shift_to(frame.to_machine(step));
+  // Words that are added count along the axes as they are turned.
+  frame.shift_to(adds ? frame.to_machine(step) : step);
   if (clears && machine.has("g158-keeps-rotation"_fault)) frame.turn_as(machine.frame);
 }
 
@@ -52,6 +54,9 @@ void put_frame(Machine& machine, const Frame& frame) {
     if (!in_reach(position[axis]) || !in_reach(frame.shift()[axis])) {
       return machine.complain(AlarmKind::kValueOutOfRange);
     }
+  }
+  for (std::size_t axis = 0; axis < state.untravelled.size(); ++axis) {
+    state.untravelled[axis] += frame.shift()[axis] - machine.frame.shift()[axis];
   }
   state.heading = frame.to_workpiece(machine.frame.to_machine(state.heading));
   state.position = position;

@@ -41,7 +41,9 @@ Place intermediate_point(Machine& machine, const Block& block) {
     const bool fixed =
         machine.has("cip-intermediate-absolute"_fault) && mode == Value::Mode::kPlain;
     Real place = length_of(machine, block, address);
-    if (is_incremental(state, mode) && !fixed) place += state.position[axis];
+    if (is_incremental(state, mode) && !fixed) {
+      place += state.position[axis] + untravelled(machine, axis);
+    }
     if (!in_reach(place)) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
       continue;

@@ -23,6 +23,13 @@ bool is_incremental(const State& state, Value::Mode mode) {
   return mode == Value::Mode::kPlain ? state.incremental : mode == Value::Mode::kIncremental;
 }
 
+// SIE-FRM-06
+Real untravelled(const Machine& machine, std::size_t axis) {
+  const Direction along = machine.frame.to_workpiece(machine.state.untravelled);
+  if (axis >= along.size() || std::fabs(along[axis]) <= kRounding) return 0;
+  return machine.follows("sie.frame.increment=with-translation"_reading) ? along[axis] : 0;
+}
+
 Real length_of(const Machine& machine, const Block& block, Address address) {
   const Real written = block.value(address).counts;
   return machine.state.inch ? to_millimetres(written) : written;
@@ -53,7 +60,9 @@ Target cartesian_target(Machine& machine, const Block& block) {
     const bool scaled = !rotary || machine.has("inch-rotary-scaled"_fault);
     Real place = scaled ? length_of(machine, block, address) : value.counts;
     if (axis == GONOGO_X && machine.profile.x_diameter) place /= 2;
-    if (is_incremental(state, value.mode)) place += state.position[axis];
+    if (is_incremental(state, value.mode)) {
+      place += state.position[axis] + untravelled(machine, axis);
+    }
     if (in_reach(place)) {
       target.to[axis] = place;
     } else {
@@ -88,8 +97,9 @@ Feed cutting_feed(Machine& machine, const Place& to, bool curved) {
   const bool inches =
       linear ? machine.follows("sie.g70.f=inch"_reading) || machine.has("inch-feed-scaled"_fault)
              : machine.has("rotary-feed-scaled"_fault);
+  const bool scales = inches && state.inch && !state.feed_of_cycle;
   const auto in_mm = static_cast<Fixed>(scaled(state.feed, 254, 10));
-  return {inches && state.inch ? in_mm : state.feed, state.feed_per_revolution};
+  return {scales ? in_mm : state.feed, state.feed_per_revolution};
 }
 
 void refuse(Machine& machine, const Block& block, Addresses unwanted) {

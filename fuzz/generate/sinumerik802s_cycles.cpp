@@ -205,7 +205,8 @@ void SinumerikWriter::break_pocket(Values& values) {
 // A tool, its offset and the spindle. False: without what a pocket must have.
 bool SinumerikWriter::tool_block(int tool) {
   Words words = {fmt::format("T{}", tool)};
-  if (choices_.one_in(2)) words.push_back(choices_.pick({"D1", "D1", "D2"}));
+  // The profile says nothing of other edges.
+  if (choices_.one_in(2)) words.push_back(choices_.pick({"D1", "D1", "D01"}));
   words.push_back(choices_.pick({"S300", "S600", "S1200"}));
   words.push_back(choices_.pick({"M3", "M3", "M4"}));
   state_.speed = std::stoll(words[words.size() - 2].substr(1));

@@ -98,7 +98,7 @@ void SinumerikWriter::offset_words(Words& words) {
   if (profile_.readings.is("sie.g158=additive"_reading)) {
     frame.translation = sum(frame.translation, rotated(offset, frame.plane, frame.angle));
   } else {
-    frame = {};
+    if (!profile_.readings.is("sie.g158=translation-only"_reading)) frame = {};
     frame.translation = offset;
   }
 }
@@ -126,12 +126,7 @@ void SinumerikWriter::rotation_words(Words& words, bool adds) {
 void SinumerikWriter::frame_block() {
   kind_ = Kind::frame;
   may_assign_ = false;
-  // Where a pole goes no text says: the code of the plane takes it back before.
-  if (state_.pole[0].mm != 0 || state_.pole[1].mm != 0) {
-    text_ += fmt::format("G{}\n", state_.plane);
-    state_.pole = {};
-    forget_pole();
-  }
+  if (state_.pole[0].mm != 0 || state_.pole[1].mm != 0) take_pole_back();
   const Place base = in_base();
   const SinumerikFrame before = state_.frame;
   const std::uint32_t kind = choices_.below(10);
@@ -167,6 +162,26 @@ void SinumerikWriter::frame_block() {
   }
   write(std::move(words), Kind::frame);
   may_assign_ = true;
+  if (profile_.readings.is("sie.frame.increment=with-translation"_reading)) go_there_in_frame();
+}
+
+// Before a frame, for where a pole goes no text says. A rotation in force refuses another plane.
+void SinumerikWriter::take_pole_back() {
+  if (keeps_pole_) {
+    const char* const other_plane = state_.plane == 17 ? "G18\n" : "G17\n";
+    text_ += state_.frame.angle != 0 ? "G111\n" : other_plane;
+  }
+  text_ += fmt::format("G{}\n", state_.plane);
+  state_.pole = {};
+  forget_pole();
+}
+
+// Before an increment, which would go the translation, too.
+void SinumerikWriter::go_there_in_frame() {
+  text_ += "G90 G0" + words_of_a_place() + "\n";
+  state_.incremental = false;
+  state_.motion = kTraverse;
+  state_.tangent.reset();
 }
 
 // False: a path command is due.

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "fuzz/generate/sinumerik_writer.hpp"
-#include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {
 namespace {
@@ -83,8 +82,7 @@ void SinumerikWriter::centre_words(Words& words, int plane, Pair offset) {
     }
   };
   // One of them may be left out where it is 0, unless the other alone makes a helix of it.
-  const bool needs_both =
-      plane != state_.plane && profile_.readings.is("sie.arc.plane=helix"_reading);
+  const bool needs_both = plane != state_.plane && winds_;
   const bool names_p = offset.p != 0 || needs_both || choices_.one_in(3);
   if (names_p) put_offset(axes.p, offset.p);
   if (offset.q != 0 || !names_p || needs_both || choices_.one_in(3)) put_offset(axes.q, offset.q);
@@ -126,7 +124,8 @@ void SinumerikWriter::centre_arc(Words& words, int plane) {
   if (on_ray && !same) end = {-start.q, start.p};
   const bool in_plane = plane == state_.plane;
   const bool helix = in_plane && choices_.one_in(4);
-  end_words(words, plane, {end.p - start.p, end.q - start.q}, helix || !in_plane);
+  const bool needs_both = (helix && !winds_) || !in_plane;
+  end_words(words, plane, {end.p - start.p, end.q - start.q}, needs_both);
   centre_words(words, plane, {-start.p, -start.q});
   if (helix) helix_words(words);
   const PlaneOf axes = plane_of(plane);
@@ -150,6 +149,7 @@ void SinumerikWriter::full_circle(Words& words) {
 }
 
 void SinumerikWriter::radius_arc(Words& words, int plane) {
+  if (winds_) plane = state_.plane;  // no end by CR= chooses another
   count(plane == state_.plane ? "arc by CR" : "arc by CR, plane by axes");
   Pair travel = {any_sign(1 + length(20)), any_sign(length(20))};
   if (choices_.one_in(3)) travel.q = 0;
@@ -163,7 +163,7 @@ void SinumerikWriter::radius_arc(Words& words, int plane) {
   if (radius <= 0) radius = length_of(1'000);
   const bool in_plane = plane == state_.plane;
   const bool helix = in_plane && choices_.one_in(5);
-  end_words(words, plane, travel, helix || !in_plane);
+  end_words(words, plane, travel, (helix && !winds_) || !in_plane);
   const bool major = choices_.one_in(3);
   words.push_back(named("CR", major ? -radius : radius));
   if (helix) helix_words(words);

@@ -28,6 +28,8 @@ void SinumerikWriter::make_profile() {
   if (settings_.machine.readings) choose_readings();
   inch_feed_ = profile_.readings.is("sie.g70.f=inch"_reading);
   spindle_alarm_ = profile_.readings.is("sie.spindle=alarm"_reading);
+  winds_ = profile_.readings.is("sie.arc.plane=helix"_reading);
+  keeps_pole_ = profile_.readings.is("sie.pole.same-plane=kept"_reading);
   // Whether the feed of the profile is in inches is undecided.
   if (inch_feed_) profile_.initial.feed = 0;
   state_.inch = profile_.units == Units::inch;
@@ -108,14 +110,22 @@ void SinumerikWriter::resync() {
   forget_pole();
   state_.speed = 600;
   if (is_802s()) clear_frame_lines();
-  text_ += "G90 G17 G71 G94 G0";
+  // The code of another plane takes the pole back in any case.
+  if (keeps_pole_) text_ += "G18\n";
+  text_ += "G90 G17 G71 G94 G0" + words_of_a_place();
+  text_ += fmt::format(" {} S600 M3\n", feed_word());
+}
+
+// Absolute words of all three axes.
+std::string SinumerikWriter::words_of_a_place() {
+  std::string words;
   for (const std::size_t axis : {0U, 1U, 2U}) {
     const std::int64_t value = any_sign(length(50));
     state_.at[axis] = Coordinate::exactly(value * state_.steps_of_count());
-    text_ += " " + word("XYZ"[axis], value);
+    words += " " + word("XYZ"[axis], value);
   }
-  text_ += fmt::format(" {} S600 M3\n", feed_word());
   target_ = state_.at;
+  return words;
 }
 
 void SinumerikWriter::make_block() {

@@ -13,9 +13,10 @@ void SinumerikWriter::forget_pole() {
   state_.at_polar = false;
 }
 
-// A code of a plane puts the pole at the zero.
+// A code of a plane puts the pole at the zero, that of the plane in force under one reading only.
 void SinumerikWriter::set_plane(Words& words, int asked) {
   const int plane = plane_in_frame(asked);
+  if (plane == state_.plane && keeps_pole_) return words.push_back(code(plane));
   state_.plane = plane;
   state_.pole = {};
   state_.spoke.reset();

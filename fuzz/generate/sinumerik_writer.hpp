@@ -46,6 +46,7 @@ class SinumerikWriter final : ProgramWriter {
   void make_head();
   void make_block();
   void resync();
+  std::string words_of_a_place();
 
   // In sinumerik_modes.cpp: what changes modes, or has nothing to do with them.
   void mode_block();
@@ -105,6 +106,8 @@ class SinumerikWriter final : ProgramWriter {
   void clear_frame_lines();
   int plane_in_frame(int asked);
   void frame_block();
+  void take_pole_back();
+  void go_there_in_frame();
   void offset_words(Words& words);
   void rotation_words(Words& words, bool adds);
   Place in_base() const;
@@ -164,6 +167,8 @@ class SinumerikWriter final : ProgramWriter {
   bool may_assign_ = true;
   bool inch_feed_ = false;      // the reading sie.g70.f = inch
   bool spindle_alarm_ = false;  // the reading sie.spindle = alarm
+  bool winds_ = false;          // the reading sie.arc.plane = helix
+  bool keeps_pole_ = false;     // the reading sie.pole.same-plane = kept
   bool new_feed_mode_ = false;  // the block has G94 or G95
   bool has_code_ = false;       // the block has a code of the motion group
   bool ends_ct_ = false;        // its code is the first after CT

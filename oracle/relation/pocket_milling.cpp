@@ -73,9 +73,14 @@ class MillingConditions {
     return rational_near(pocket_.reference_plane) - rational_near(pocket_.floor) >
            tolerances_.tolerance;
   }
-  // The last lift is too small to be seen.
-  bool is_shallow() const {
-    return rational_near(pocket_.retract) - rational_near(pocket_.floor) <= tolerances_.tolerance;
+  // Whether the cycle may end behind the piece: with a traverse, or a cut up or on from there.
+  // Where the last lift is too small to be seen, behind any.
+  bool may_end_behind(const Event& piece) {
+    const bool is_shallow =
+        rational_near(pocket_.retract) - rational_near(pocket_.floor) <= tolerances_.tolerance;
+    const Number way = piece.to[axes_.d] - piece.from[axes_.d];
+    if (abs(way) > tolerances_.tolerance) has_risen_ = way.sign() > 0;
+    return is_shallow || piece.part == Part::traverse || has_risen_;
   }
 
   // What the levels lack, so far; empty: nothing.
@@ -397,6 +402,7 @@ class MillingConditions {
   Number above_;    // where it begins
   Number deepest_;  // of the infeeds
   std::vector<Level> levels_;
+  bool has_risen_ = false;  // the last motion along the depth axis led up
   Number width_;
   Number way_;
   Number most_way_;
@@ -417,14 +423,14 @@ std::optional<std::size_t> end_of_small_traverse(SubjectSide& side, std::size_t 
 StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
   MillingConditions conditions(pocket, way);
   StepAnswer answer;
-  bool is_behind_traverse = true;  // with which it ends (SIE-LC75-04)
+  bool may_end = true;
   Position place = way.subject.at(way.begin).from;
   for (std::size_t i = way.begin;; ++i) {
     const Event& piece = way.subject.at(i);
-    if (piece.begins && is_behind_traverse && conditions.may_be_over(piece.from)) {
+    if (piece.begins && may_end && conditions.may_be_over(piece.from)) {
       const std::string_view lacks = conditions.lacks();
       if (lacks.empty()) answer.ends.push_back(i);
-      // SIE-LC75-13: the traverse to R101 is the last motion.
+      // SIE-LC75-13: the way to R101 is the last motion.
       if (lacks.empty() && conditions.is_deep()) return answer;
       answer.broken_by = i;
       answer.broken = lacks;
@@ -437,7 +443,7 @@ StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
       i = *end - 1;
       continue;
     }
-    is_behind_traverse = piece.part == Part::traverse || conditions.is_shallow();
+    may_end = conditions.may_end_behind(piece);
     const std::string_view broken = conditions.take(piece);
     place = piece.to;
     if (broken.empty()) continue;

@@ -12,17 +12,30 @@ namespace gonogo::reference::sinumerik {
 namespace {
 
 // SIE-MOD-03, SIE-POL-03, SIE-FRM-04: a dwell, a pole and a frame stand alone in their block.
-ClauseId alone_by(int once) {
+// SIE-MOD-10, SIE-FRM-07: that a word which moves nothing is an alarm there is ours.
+ClauseId alone_by(int once, bool moves) {
   switch (once) {
     case 4:
-      return "SIE-MOD-03"_clause;
+      return moves ? "SIE-MOD-03"_clause : "SIE-MOD-10"_clause;
     case 158:
     case 258:
     case 259:
-      return "SIE-FRM-04"_clause;
+      return moves ? "SIE-FRM-04"_clause : "SIE-FRM-07"_clause;
     default:
       return "SIE-POL-03"_clause;
   }
+}
+
+bool is_frame(int once) {
+  return once == 158 || once == 258 || once == 259;
+}
+
+// Whether the word says how a motion goes, or where to.
+bool is_of_motion(const grammar::Block& text, const grammar::NamedWord& word) {
+  const std::optional<Address> address = address_of(word);
+  if (!address) return word.name == "CIP" || word.name == "CT";
+  if (address == Address::g) return to_number(text.terms[word.first_term].number) <= Number(3);
+  return *address <= Address::rpl;
 }
 
 void refuse_beside(BlockContext& block, const grammar::NamedWord& word, ClauseId clause,
@@ -43,7 +56,8 @@ void refuse_all_but(BlockContext& block, std::initializer_list<Address> its_own)
         Number(block.codes.once) == to_number(text.terms[word.first_term].number)) {
       continue;
     }
-    refuse_beside(block, word, alone_by(block.codes.once), fmt::format("G{}", block.codes.once));
+    refuse_beside(block, word, alone_by(block.codes.once, is_of_motion(text, word)),
+                  fmt::format("G{}", block.codes.once));
   }
 }
 
@@ -56,12 +70,12 @@ void refuse_beside_frame(BlockContext& block) {
   std::optional<int> frame;
   for (const grammar::NamedWord& word : text.named) {
     const std::optional<int> code = code_of(word);
-    if (code && alone_by(*code) == kFrame) frame = code;
+    if (code && is_frame(*code)) frame = code;
   }
   if (!frame) return;
   for (const grammar::NamedWord& word : text.named) {
     const std::optional<int> code = code_of(word);
-    if (!code || alone_by(*code) == kFrame) continue;
+    if (!code || is_frame(*code)) continue;
     refuse_beside(block, word, kFrame, fmt::format("G{}", *frame));
   }
 }

@@ -20,12 +20,14 @@ Plane plane_of(Axis d) {
 }
 
 // SIE-ARC-12: with the centre word of the common axis alone the other one may be a 0 that a helix
-// of the plane in force has left out.
-bool winds_by_one_centre_word(const BlockContext& block, Axis unnamed) {
+// of the plane in force has left out; CR= alone is a form of both.
+bool may_wind(const BlockContext& block, Axis unnamed) {
+  const BlockWords& words = block.words;
   const PlaneAxes axes = block.plane_axes();
   const Axis common = unnamed == axes.p ? axes.q : axes.p;
-  return block.words.has(centre_address(common)) && !block.words.has(centre_address(axes.d)) &&
-         block.readings.is("sie.arc.plane=helix"_reading);
+  const bool by_one_word = words.has(centre_address(common)) && !words.has(centre_address(axes.d));
+  const bool by_radius = words.has(Address::cr) && !words.has_centre();
+  return by_one_word || by_radius;
 }
 
 // SIE-ARC-12. Where two end-point axes choose the plane, the third of X Y Z stands upright on it.
@@ -41,8 +43,9 @@ Plane plane_of_arc(const BlockContext& block) {
   if (!unnamed || *unnamed == axes_of(in_force).d) return in_force;
   const bool is_helix = words.has(Address::turn) || words.has(Address::ar) ||
                         words.has(centre_address(*unnamed)) || words.is_polar();
-  if (is_helix || winds_by_one_centre_word(block, *unnamed)) return in_force;
-  return plane_of(*unnamed);
+  if (is_helix) return in_force;
+  const bool winds = may_wind(block, *unnamed) && block.readings.is("sie.arc.plane=helix"_reading);
+  return winds ? in_force : plane_of(*unnamed);
 }
 
 // SIE-ARC-13, SIE-ARC-09. Nothing when the rules are broken.

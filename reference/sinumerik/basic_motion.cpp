@@ -3,6 +3,8 @@
 // G0, G1 and G4, and how motions are put out.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
@@ -63,12 +65,26 @@ void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   machine.last = std::move(last);
 }
 
+// SIE-LC75-14
+void settle_feed_of_cycle(BlockContext& block) {
+  Machine& machine = block.machine;
+  const auto of_cycle = std::exchange(machine.feed_of_cycle, std::nullopt);
+  if (!of_cycle) return;
+  if (block.readings.is("sie.lc75.feed-after=of-cycle"_reading)) {
+    machine.feed = of_cycle->feed;
+    machine.feed_is_of_cycle = true;
+    machine.feed_is_zero = false;
+  } else if (of_cycle->replaces_one_of_before) {
+    machine.feed_is_of_before = true;
+  }
+}
+
 }  // namespace
 
 // SIE-MOD-04
 Number linear_feed(const BlockContext& block) {
   const Number& written = block.machine.feed;
-  if (!block.machine.modes.inch) return written;
+  if (!block.machine.modes.inch || block.machine.feed_is_of_cycle) return written;
   return block.readings.is("sie.g70.f=inch"_reading) ? inches(written) : written;
 }
 
@@ -89,6 +105,7 @@ void refuse_turns(BlockContext& block) {
 
 // SIE-MOD-08
 void drop_feed_of_before(BlockContext& block) {
+  settle_feed_of_cycle(block);
   Machine& machine = block.machine;
   if (!machine.feed_is_of_before || machine.feed.sign() <= 0) return;
   if (block.readings.is("sie.feed-change=deleted"_reading)) machine.feed = 0;
@@ -144,6 +161,8 @@ void put_motion(BlockContext& block, const EndPoint& end, Record record) {
 
 void put_in_base(BlockContext& block, Record record, const Position& end, AxisSet standing) {
   Machine& machine = block.machine;
+  const bool in_space = record.kind == RecordKind::arc3;
+  travel(machine, in_space ? AxisSet{Axis::x, Axis::y, Axis::z} : record.axes);
   Record in_base = machine.frame.to_base(std::move(record), end);
   for (const Axis axis : kAllAxes) {
     if (in_base.axes.has(axis) && !standing.has(axis)) machine.base[axis] = in_base.to[axis];

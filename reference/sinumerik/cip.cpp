@@ -23,7 +23,8 @@ EndPoint intermediate_point(const BlockContext& block) {
   via.to = block.machine.position;
   for (const Axis axis : kLinearAxes) {
     if (!block.words.has(intermediate_address(axis))) continue;
-    const AxisWord word = block.words.intermediate_word(axis);
+    AxisWord word = block.words.intermediate_word(axis);
+    if (word.incremental) word.value += untravelled_along(block, axis);
     const Number& start = block.machine.position[axis];
     via.by[axis] = word.incremental ? word.value : word.value - start;
     via.to[axis] = word.incremental ? start + word.value : word.value;

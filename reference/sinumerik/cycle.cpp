@@ -44,24 +44,26 @@ void CycleCall::parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t
 
 void check_planes(const CycleCall& call) {
   const ClauseId clause = "SIE-LC82-02"_clause;
+  // Messages have the numbers of the program, which may count inches (sie.lcyc.unit).
+  const auto as_written = [&](std::uint64_t number) { return call.calculator.parameter(number); };
   if (decided(clause, "R101 - R103 - R102", call.retract(), call.clearance()) < 0) {
     const bool is_above_reference =
         decided("SIE-LC82-04"_clause, "R101 - R103", call.retract(), call.parameter(103)) >= 0;
     call.parameter_alarm(
         AlarmClass::reference_plane, is_above_reference ? "SIE-LC82-04"_clause : clause, 101,
         with_values("The retract plane R101 = {} lies below the clearance R103 + R102 = {}.",
-                    {call.retract(), call.clearance()}));
+                    {as_written(101), as_written(103) + as_written(102)}));
   }
   if (decided("SIE-LC82-04"_clause, "R102", call.parameter(102)) < 0) {
     call.parameter_alarm(
         AlarmClass::value_sign, "SIE-LC82-04"_clause, 102,
-        with_values("The safety clearance R102 = {} is below zero.", {call.parameter(102)}));
+        with_values("The safety clearance R102 = {} is below zero.", {as_written(102)}));
   }
   if (decided(clause, "R104 - R103", call.parameter(104), call.parameter(103)) >= 0) {
     call.parameter_alarm(
         AlarmClass::reference_plane, clause, 104,
         with_values("The depth R104 = {} is not below the reference plane R103 = {}.",
-                    {call.parameter(104), call.parameter(103)}));
+                    {as_written(104), as_written(103)}));
   }
 }
 

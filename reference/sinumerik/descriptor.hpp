@@ -370,6 +370,7 @@ inline constexpr auto kFeatures802s = [] {
 // G22 and G23 are the 802S's own.
 constexpr bool is_of_840d(const Code& code) {
   if (code.name == "G22" || code.name == "G23") return false;
+  if (code.kind == Kind::cycle) return true;
   return std::ranges::find(kPathFeatures, code.feature, &DialectFeature::name) !=
          kPathFeatures.end();
 }
@@ -384,6 +385,8 @@ inline constexpr auto kCodes840d = [] {
     // SIE-MOD-02: nothing that is read moves its zero.
     if (code.name == "SUPA") code.treatment = Treatment::without_effect;
     if (is_speed_mode(code)) code = sets(code.name, code.group, Setting::none, code.title);
+    // SIE-MOD-02: its cycles LCYC75 and LCYC82 are read no further than LCYC60 to LCYC97.
+    if (code.kind == Kind::cycle) code = outside(code.name, code.group, code.title);
   }
   return some;
 }();

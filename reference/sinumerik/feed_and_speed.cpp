@@ -39,6 +39,8 @@ void take_feed_and_speed(BlockContext& block) {
     refuse_below_zero(block, Address::f, "SIE-COM-01"_clause);
     machine.feed = words.written(Address::f);
     machine.feed_is_of_before = false;
+    machine.feed_of_cycle.reset();
+    machine.feed_is_of_cycle = false;
     // SIE-COM-06: an F of 0 is no fault until a block cuts.
     machine.feed_is_zero = machine.feed.sign() == 0;
     if (machine.feed_is_zero) block.out.accept("SIE-COM-06"_clause);

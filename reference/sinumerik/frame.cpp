@@ -130,6 +130,11 @@ void stand_in(Machine& machine, const Frame& next) {
   if (machine.last) turn_last_motion(*machine.last, machine.frame, next);
   const bool changes = machine.frame.is_in_force() || next.is_in_force();
   if (machine.pole_is_put && changes) machine.pole_is_of_before = true;
+  std::optional<PolarState>& before = machine.polar_before;
+  if (before && before->pole_is_put && changes) before->pole_is_of_before = true;
+  for (const Axis axis : kLinearAxes) {
+    machine.untravelled[axis] += next.translation()[axis] - machine.frame.translation()[axis];
+  }
   machine.frame = next;
 }
 
@@ -156,6 +161,21 @@ void warn_of_bare_rpl(BlockContext& block) {
 
 }  // namespace
 
+bool has_untravelled(const Machine& machine) {
+  return std::ranges::any_of(kLinearAxes,
+                             [&](Axis axis) { return machine.untravelled[axis].try_sign() != 0; });
+}
+
+// SIE-FRM-06: axes that were sent somewhere stand in the frame in force.
+void travel(Machine& machine, AxisSet axes) {
+  if (!has_untravelled(machine)) return;
+  Position along = machine.frame.turned_back(machine.untravelled);
+  for (const Axis axis : kLinearAxes) {
+    if (axes.has(axis)) along[axis] = 0;
+  }
+  machine.untravelled = machine.frame.turned(along);
+}
+
 // SIE-FRM-01
 void run_translation(BlockContext& block) {
   if (refuse(block, {Address::a, Address::c, Address::rpl})) return;
@@ -176,11 +196,12 @@ void run_translation(BlockContext& block) {
   Frame next = machine.frame;
   if (!any) {
     next.clear();
-  } else if ((next.is_translated() || next.is_rotated()) &&
-             block.readings.is("sie.g158=additive"_reading)) {
+  } else if (!next.is_in_force()) {
+    next.set_translation(by);
+  } else if (block.readings.is("sie.g158=additive"_reading)) {
     next.translate(by);
   } else {
-    next.clear();
+    if (!block.readings.is("sie.g158=translation-only"_reading)) next.clear();
     next.set_translation(by);
   }
   stand_in(machine, next);

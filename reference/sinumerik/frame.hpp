@@ -21,6 +21,7 @@ class Frame {
     translation_ = by;
     is_translated_ = true;
   }
+  const Position& translation() const { return translation_; }
   // A translation in the coordinates of the frame, added to the one in force.
   void translate(const Position& by);
   // Degrees from the first axis of the plane toward the second.

@@ -353,6 +353,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   }
   if (complete) {
     take_modes(context);
+    settle_pole(context);
     if (machine_.modes.diameter) leave_out_diameters(context);
     leave_out_frames(context);
     if (out.not_covered) {

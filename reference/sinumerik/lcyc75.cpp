@@ -64,6 +64,22 @@ void divide(const CycleCall& call, PocketMilling& pocket) {
   pocket.levels_from_clearance = readings.is("sie.infeed-from=clearance"_reading);
 }
 
+// SIE-LC75-14
+void leave_feed(Machine& machine, const Number& plane_feed) {
+  const bool was_open = machine.feed_of_cycle && machine.feed_of_cycle->replaces_one_of_before;
+  machine.feed_of_cycle = FeedOfCycle{plane_feed, machine.feed_is_of_before || was_open};
+  machine.feed_is_of_before = false;
+}
+
+// SIE-LC75-09: without a sense, if that is no alarm, one of them.
+int sense_of(const CycleCall& call) {
+  const Number direction = call.parameter(126);
+  const bool is_clockwise = direction.sign() == 0
+                                ? call.block.readings.is("sie.lc75.no-sense=g2"_reading)
+                                : direction == Number(2);
+  return is_clockwise ? -1 : 1;
+}
+
 }  // namespace
 
 void run_lcyc75(const CycleCall& call) {
@@ -77,7 +93,7 @@ void run_lcyc75(const CycleCall& call) {
   place(call, pocket);
   size(call, *tool_radius, pocket);
   divide(call, pocket);
-  pocket.sense = call.parameter(126) == Number(2) ? -1 : 1;
+  pocket.sense = sense_of(call);
   pocket.depth_feed = call.parameter(122);
   pocket.plane_feed = call.parameter(123);
   pocket.feed_mode = block.machine.feed_mode;
@@ -98,6 +114,7 @@ void run_lcyc75(const CycleCall& call) {
   block.machine.position[axes.d] = call.retract();
   block.machine.base[axes.d] = pocket.retract;
   block.machine.mark.reset();
+  leave_feed(block.machine, pocket.plane_feed);
   end_cycle(block);
 }
 

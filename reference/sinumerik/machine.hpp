@@ -15,6 +15,12 @@ namespace gonogo::reference::sinumerik {
 using geometry::Point_2;
 using geometry::Vector_2;
 
+// R123 of a cycle behind which no F has stood.
+struct FeedOfCycle {
+  Number feed;
+  bool replaces_one_of_before = false;  // F in force stood before the feed changed
+};
+
 // What is known of the machine's place in a plane beside its coordinates, which may be enclosures:
 // its exact distance from a point, and the polar coordinates that it was sent to.
 struct PlaceMark {
@@ -48,7 +54,16 @@ struct LastMotion {
   bool undecided = false;  // of a line: its direction is unknown
 };
 
-struct Machine : MotionState {
+// What polar words count from, and which of them hold on.
+struct PolarState {
+  Point_2 pole;
+  bool pole_is_put = false;            // by G110, G111 or G112 since the plane was chosen
+  bool pole_is_of_before = false;      // a frame has changed since
+  std::optional<Number> polar_angle;   // AP in force
+  std::optional<Number> polar_radius;  // RP in force, mm
+};
+
+struct Machine : MotionState, PolarState {
   Control control = Control::sinumerik840d;
   WordModes modes;
   std::optional<Motion> motion;         // none: no code of the group was there
@@ -60,15 +75,17 @@ struct Machine : MotionState {
   bool spindle_is_placed = false;       // SPOS, SPOSA, M19 or M70 behind M3, M4 and M5
   bool feed_is_of_before = false;       // F stood before the feed changed between G94 and G95
   bool feed_is_zero = false;            // the last F was 0
+  // Until a block shows whether it is in force; and that it is, in millimetres.
+  std::optional<FeedOfCycle> feed_of_cycle;
+  bool feed_is_of_cycle = false;
   Frame frame;
   Position base;               // `position` in base coordinates; exact where that is only enclosed
   std::optional<Number> tool;  // T; none before any T word, or T0
   Number edge = 1;             // D
-  Point_2 pole;
-  bool pole_is_put = false;            // by G110, G111 or G112 since the plane was chosen
-  bool pole_is_of_before = false;      // a frame has changed since
-  std::optional<Number> polar_angle;   // AP in force
-  std::optional<Number> polar_radius;  // RP in force, mm
+  // Changes of the translation since each axis moved, in base coordinates.
+  Position untravelled;
+  // Before a code of the plane in force, until a block shows whether it has held on.
+  std::optional<PolarState> polar_before;
   std::optional<PlaceMark> mark;
   std::optional<LastMotion> last;
 };
@@ -145,8 +162,13 @@ void refuse_turns(BlockContext& block);
 // In polar.cpp. The end point of the block's axis words, Cartesian or polar; nothing after an
 // alarm.
 std::optional<EndPoint> end_point(BlockContext& block);
+// What an increment along the axis goes beside its number.
+Number untravelled_along(const BlockContext& block, Axis axis);
 void run_pole(BlockContext& block);
 void take_plane(Machine& machine, Plane plane);
+// Whether the pole, AP and RP have held on over a code of the plane in force, where the block shows
+// it.
+void settle_pole(BlockContext& block);
 
 // In arc.cpp, cip.cpp, ct.cpp.
 void run_arc(BlockContext& block, int sense);
@@ -158,6 +180,10 @@ Position whole_direction(const LastMotion& last);
 // In frame.cpp.
 void run_translation(BlockContext& block);
 void run_rotation(BlockContext& block);
+// Whether a translation has changed since an axis moved, as it never does on the 840D.
+bool has_untravelled(const Machine& machine);
+// The axes move, and stand in the frame in force.
+void travel(Machine& machine, AxisSet axes);
 // What no text says of a frame in force: such a block is not covered.
 void leave_out_frames(BlockContext& block);
 // Whether the rotation in force admits the plane; else the alarm is given, at `word`.

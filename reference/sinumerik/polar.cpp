@@ -149,6 +149,18 @@ void forget_polar(Machine& machine) {
   machine.polar_radius.reset();
 }
 
+// SIE-POL-04: whether the block does something else from that pole, AP and RP than from the
+// workpiece zero without them.
+bool shows(const BlockContext& block, const PolarState& before) {
+  const BlockWords& words = block.words;
+  if (before.pole_is_put) return true;
+  if (block.codes.once == 112) return false;
+  if (!words.has(Address::ap) || !words.has(Address::rp)) return true;
+  const Dimension dimension = words.dimension(Address::ap);
+  return dimension == Dimension::as_in_force ? block.machine.modes.incremental
+                                             : dimension == Dimension::incremental;
+}
+
 }  // namespace
 
 std::optional<EndPoint> end_point(BlockContext& block) {
@@ -165,17 +177,45 @@ std::optional<EndPoint> end_point(BlockContext& block) {
   }
   for (const Axis axis : kAllAxes) {
     if (!words.has(address_of(axis))) continue;
-    move_axis(end, axis, words.axis_word(axis), block.machine.position[axis]);
+    AxisWord word = words.axis_word(axis);
+    if (word.incremental) word.value += untravelled_along(block, axis);
+    move_axis(end, axis, word, block.machine.position[axis]);
   }
   return end;
 }
 
-// SIE-POL-02: the pole goes to the workpiece zero, also with the code of the plane in force.
+// SIE-FRM-06: an increment behind another translation.
+Number untravelled_along(const BlockContext& block, Axis axis) {
+  const Machine& machine = block.machine;
+  if (!has_untravelled(machine)) return {};
+  const Number way = machine.frame.turned_back(machine.untravelled)[axis];
+  const bool is_none = way.try_sign() == 0;
+  if (is_none || block.readings.is("sie.frame.increment=alone"_reading)) return {};
+  return way;
+}
+
+// SIE-POL-02: the pole goes to the workpiece zero.
 void take_plane(Machine& machine, Plane plane) {
+  PolarState& polar = machine;
+  if (plane != machine.plane) {
+    machine.polar_before.reset();
+  } else if (polar.pole_is_put || polar.polar_angle || polar.polar_radius) {
+    machine.polar_before = polar;
+  }
   machine.plane = plane;
-  machine.pole = CGAL::ORIGIN;
-  machine.pole_is_put = machine.pole_is_of_before = false;
-  forget_polar(machine);
+  polar = PolarState{CGAL::ORIGIN, false, false, std::nullopt, std::nullopt};
+}
+
+// SIE-POL-04
+void settle_pole(BlockContext& block) {
+  std::optional<PolarState>& before = block.machine.polar_before;
+  const bool puts_another = block.codes.once == 110 || block.codes.once == 111;
+  if (!before || !(block.words.is_polar() || puts_another || block.codes.once == 112)) return;
+  PolarState& polar = block.machine;
+  const bool is_kept = !puts_another && shows(block, *before) &&
+                       block.readings.is("sie.pole.same-plane=kept"_reading);
+  if (is_kept) polar = *before;
+  before.reset();
 }
 
 // SIE-POL-01

@@ -164,6 +164,14 @@ TEST(SinumerikArc, Inches) {
   EXPECT_EQ(sinumerik_arc("G2 X2 CR=1", "G70"), "arc17 c=25.4,0 rot=-1 x=50.8 y=0 f=9");
 }
 
+// Half a turn about X0 Y0; in the plane of Z and X the chord is 20.6.
+TEST(SinumerikArc, ToTwoAxesByCrAlone) {
+  const std::string program = "G0 X10 Z5\nG3 X-10 Z0 CR=10 F9\n";
+  EXPECT_EQ(motions_and_alarm(program, R"({"readings":{"sie.arc.plane":"helix"}})"),
+            "rapid x=10 z=5\narc17 c=0,0 rot=1 x=-10 y=0 z=0 f=9\n");
+  EXPECT_EQ(motions_and_alarm(program), "rapid x=10 z=5\narc-radius");
+}
+
 TEST(SinumerikArc, ToTwoAxesByOneCentreWord) {
   EXPECT_EQ(motions_and_alarm("G0 X10 Z5\nG2 X-10 Z0 I-10 F9\n",
                               R"({"readings":{"sie.arc.plane":"helix"}})"),

@@ -26,6 +26,23 @@ TEST(SinumerikFrames, TranslationsAddUnderTheReading) {
   EXPECT_EQ(moved("G158 X1\nG158 Y2\nG158\nG0 X5\n", additive), "rapid x=5\n");
 }
 
+// (10, 0) and the quarter turn of (5, 0); (0, 5) and that of (1, 2).
+TEST(SinumerikFrames, TheTranslationAloneIsReplacedUnderTheReading) {
+  const char* alone = R"({"readings":{"sie.g158":"translation-only"}})";
+  EXPECT_EQ(moved("G258 RPL=90\nG158 X10\nG0 X5 Y0\n", alone), "rapid x=10 y=5\n");
+  EXPECT_EQ(moved("G158 X10 Y10\nG259 RPL=90\nG158 Y5\nG0 X1 Y2\n", alone), "rapid x=-2 y=6\n");
+  EXPECT_EQ(moved("G258 RPL=90\nG158 X10\nG158\nG0 X5 Y0\n", alone), "rapid x=5\n");
+}
+
+// 5 + 10 + 1; -10 + 10 + 5; and -5 - 10 along Y of the turned frame.
+TEST(SinumerikFrames, AnIncrementGoesTheTranslationUnderTheReading) {
+  const char* with = R"({"readings":{"sie.frame.increment":"with-translation"}})";
+  EXPECT_EQ(moved("G0 X5\nG158 X10\nG91 X1\n"), "rapid x=5\nrapid x=6\n");
+  EXPECT_EQ(moved("G0 X5\nG158 X10\nG91 X1\nX1\n", with), "rapid x=5\nrapid x=16\nrapid x=17\n");
+  EXPECT_EQ(moved("G158 X10\nG0 X0\nG158\nG91 X5\n", with), "rapid x=10\nrapid x=5\n");
+  EXPECT_EQ(moved("G158 X10\nG259 RPL=90\nG91 G0 Y-5\n", with), "rapid x=15\n");
+}
+
 TEST(SinumerikFrames, RotationIsFromTheFirstAxisTowardTheSecond) {
   EXPECT_EQ(moved("G258 RPL=90\nG0 X1\n"), "rapid y=1\n");
   EXPECT_EQ(moved("G18\nG258 RPL=90\nG0 Z1\n"), "rapid x=1\n");

@@ -65,6 +65,32 @@ TEST(SinumerikPocket, TheSecondExample) {
   EXPECT_EQ(motions.back().text, "rapid x=4\n");
 }
 
+TEST(SinumerikPocket, WithoutADirectionItGoesRoundAsTheReadingSays) {
+  const auto round = [](const char* direction, const std::string& readings = "") {
+    return moving(milled(kSmallPocket + "R118=12 R119=12\n" + direction + "\nLCYC75\n", readings));
+  };
+  EXPECT_EQ(round("R126=0", R"({"sie.lc75.no-sense":"g2"})"), round("R126=2"));
+  EXPECT_EQ(round("R126=0", R"({"sie.lc75.no-sense":"g3"})"), round("R126=3"));
+  EXPECT_NE(round("R126=2"), round("R126=3"));
+}
+
+// The tool's centre reaches 25. A strip of 10 in sharp corners is 1.5 more than one pass takes of
+// it, 1.7 radii of 5: another pass goes round 1.3 radii farther in, at 18.5. One of 20 is 11.5
+// more, and takes two: at 18.5 and 12.
+TEST(SinumerikPocket, AnAllowanceAboveTheToolIsFinishedInSeveralPasses) {
+  const std::string none = R"({"sie.lc75.finish-limit":"none"})";
+  const auto finished = [&](const char* allowance, const std::string& readings) {
+    const std::string ways = "R118=60 R119=60 R125=0 R127=2 ";
+    return milled(kSmallPocket + ways + allowance + "\nLCYC75\n", readings);
+  };
+  EXPECT_EQ(finished("R124=10", "").alarm, "allowance-too-large");
+  const std::string ten = moving(finished("R124=10", none));
+  EXPECT_NE(ten.find("feed z=-2 f=20\nfeed y=-18.5 f=30\nfeed x=-18.5 f=30\n"), std::string::npos);
+  const std::string twenty = moving(finished("R124=20", none));
+  EXPECT_NE(twenty.find("feed z=-2 f=20\nfeed y=-12 f=30\nfeed x=-12 f=30\n"), std::string::npos);
+  EXPECT_NE(twenty.find("feed y=-18.5 f=30\n"), std::string::npos);
+}
+
 TEST(SinumerikPocket, TheThirdExampleMillsItsSlots) {
   const std::string program =
       "G0 G19 G90 T1 D1 S400 M3\nR101=5 R102=1 R103=0 R104=-23 R116=35 R117=0\n"
@@ -145,6 +171,17 @@ TEST(SinumerikPocket, LargeCorners) {
 TEST(SinumerikPocket, LeavesModesAsTheyWere) {
   EXPECT_EQ(moving(milled("G1 F9 G91\n" + kSmallPocket + "LCYC75\nX1 Y=R104\n")),
             "rapid z=5\nrapid z=1\nfeed z=-2 f=20\nrapid z=5\nfeed x=1 y=-2 f=9\n");
+}
+
+// R123 is 30, and counts millimetres.
+TEST(SinumerikPocket, LeavesItsFeedUnderTheReading) {
+  const std::string pocket = "F9\n" + kSmallPocket + "LCYC75\n";
+  const std::string way = "rapid z=5\nrapid z=1\nfeed z=-2 f=20\nrapid z=5\n";
+  const char* of_cycle = R"({"sie.lc75.feed-after":"of-cycle","sie.g70.f":"inch"})";
+  EXPECT_EQ(moving(milled(pocket + "G1 X1\n", of_cycle)), way + "feed x=1 f=30\n");
+  EXPECT_EQ(moving(milled(pocket + "G1 X1 F7\nX2\n", of_cycle)),
+            way + "feed x=1 f=7\nfeed x=2 f=7\n");
+  EXPECT_EQ(moving(milled(pocket + "G70\nG1 X1\n", of_cycle)), way + "feed x=25.4 f=30\n");
 }
 
 TEST(SinumerikPocket, OnlyItsOwnPathIsOffered) {

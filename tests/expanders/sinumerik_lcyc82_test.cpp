@@ -63,7 +63,8 @@ TEST(SinumerikDrilling, LeavesModesAsTheyWere) {
 }
 
 TEST(SinumerikDrilling, Only802SHasIt) {
-  EXPECT_EQ(run_sinumerik("LCYC82\n").alarm, "undefined-code");
+  EXPECT_EQ(run_sinumerik("LCYC82\n").answer, GONOGO_UNSUPPORTED);
+  EXPECT_EQ(run_sinumerik("LCYC75 X5\n").answer, GONOGO_UNSUPPORTED);
   EXPECT_EQ(alarm_and_block("LCYC99\n"), "undefined-code 1");
   EXPECT_EQ(run_sinumerik802s("LCYC83\n").answer, GONOGO_UNSUPPORTED);
 }

@@ -53,6 +53,15 @@ TEST(SinumerikPolar, APlaneCodePutsThePoleAtZero) {
   EXPECT_EQ(motions_and_alarm("G111 X5 Y5\nG18 G0 RP=1 AP=90\n"), "rapid x=1 z=0\n");
 }
 
+// 5 and 1 more along X.
+TEST(SinumerikPolar, TheCodeOfThePlaneInForceLeavesThePoleUnderThatReading) {
+  const char* kept = R"({"readings":{"sie.pole.same-plane":"kept"}})";
+  EXPECT_EQ(motions_and_alarm("G111 X5 Y5\nG17 G0 RP=1 AP=0\n", kept), "rapid x=6 y=5\n");
+  EXPECT_EQ(motions_and_alarm("G0 RP=2 AP=90\nG17 RP=1\n", kept), "rapid x=0 y=2\nrapid x=0 y=1\n");
+  EXPECT_EQ(motions_and_alarm("G0 RP=2 AP=90\nG18\nG17 RP=1\n", kept),
+            "rapid x=0 y=2\nmissing-word");
+}
+
 TEST(SinumerikPolar, IncrementalAngle) {
   EXPECT_EQ(motions_and_alarm("G0 RP=2 AP=90\nAP=IC(90)\nAP=IC(-270)\n"),
             "rapid x=0 y=2\nrapid x=-2 y=0\nrapid x=0 y=-2\n");

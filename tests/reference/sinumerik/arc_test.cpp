@@ -110,5 +110,28 @@ TEST(SieArc, ToTwoAxesByOneCentreWordItsPlaneIsAReading) {
   EXPECT_EQ(last_motion("G0 X10 Z5\nG2 X-10 Z5 I-10 K0 F100", helix).plane, Plane::g18);
 }
 
+// Half a turn about X0 Y0 down to Z-5. In the plane of Z and X its chord would be sqrt(400 + 25) =
+// 20.6, more than twice 10.
+TEST(SieArc, ByCrAloneItsPlaneIsAReading) {
+  const Profile helix = sie({{"sie.arc.plane", "helix"}});
+  EXPECT_EQ(line("G0 X10\nG3 X-10 Z-5 CR=10 F100", 1, helix), "arc x-10 y0 z-5 c0,0 rot1 f100");
+  EXPECT_EQ(clauses("G2 X10 Z5 CR=5 F9", helix), Lines{"SIE-ARC-09"});
+  EXPECT_EQ(outcome("G0 X10\nG3 X-10 Z-5 CR=10"), "arc-radius CR");
+  EXPECT_EQ(last_motion("G18 G0 X10\nG2 X-10 Y4 CR=12 F100", helix).plane, Plane::g18);
+  EXPECT_EQ(last_motion("G18 G0 X10\nG2 X-10 Y4 CR=12 F100").plane, Plane::g17);
+}
+
+TEST(SieArc, TheReadingOfThePlaneIsAskedWhereBothAreForms) {
+  const std::string before = "F9 S1 M3\n";
+  for (const char* arc : {"G2 X10 Z0 I5", "G19 G2 X1 Z1 CR=40", "G2 X10 Z5 CR=9"}) {
+    EXPECT_EQ(touched(before + arc), Lines{"sie.arc.plane"}) << arc;
+  }
+  for (const char* arc :
+       {"G2 X10 Z0 I5 K0", "G2 X10 Z5 I5 J0", "G2 X10 Z5 CR=9 TURN=0", "G2 X10 Y0 Z5 CR=9",
+        "G3 X10 Z5 AR=180", "G2 Z5 X5 K5 I0", "G2 X9 CR=9"}) {
+    EXPECT_EQ(touched(before + arc), Lines{}) << arc;
+  }
+}
+
 }  // namespace
 }  // namespace gonogo::reference::testing::sie

@@ -166,6 +166,16 @@ TEST(SieBasic, ADwellIsOfSecondsOrRevolutions) {
   EXPECT_EQ(outcome("G4 F1 M3"), "conflicting-words M");
 }
 
+// The text has it in a block of its own, and names no alarm: of what moves nothing it is ours.
+TEST(SieBasic, WhatMovesNothingBesideADwellIsAnAlarmOfOurs) {
+  for (const char* beside : {"M3", "T1", "D1", "H1", "G90", "G17", "R1=2"}) {
+    EXPECT_EQ(clauses(std::string("G4 F1 ") + beside), Lines{"SIE-MOD-10"}) << beside;
+  }
+  for (const char* beside : {"X1", "I1", "CR=5", "AP=30", "G1", "CIP"}) {
+    EXPECT_EQ(clauses(std::string("G4 F1 ") + beside), Lines{"SIE-MOD-03"}) << beside;
+  }
+}
+
 TEST(SieBasic, MFunctionsStandRoundTheMotion) {
   EXPECT_EQ(lines("G0 X1 M8 M0\nM1 X2 M5\nM17 X3\nX4", sie()),
             (Lines{"m8", "rapid x1", "m0", "m5", "rapid x2", "m1", "rapid x3", "m17"}));

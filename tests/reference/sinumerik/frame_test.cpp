@@ -43,6 +43,30 @@ TEST(SieFrame, TheToolDoesNotMoveAndStaysWhereItIs) {
   EXPECT_EQ(line("G0 X5\nG158 X10\nG91 X1", 1, s802()), "rapid x6");
 }
 
+// The tool stands at 5: 6, or with the translation 5 + 10 + 1 = 16, and from there 17.
+TEST(SieFrame, AnIncrementGoesTheTranslationOnceUnderThatReading) {
+  const Profile with = s802({{"sie.frame.increment", "with-translation"}});
+  EXPECT_EQ(moves("G0 X5\nG158 X10\nG91 X1\nX1", with),
+            (Lines{"rapid x5", "rapid x16", "rapid x17"}));
+  EXPECT_EQ(moves("G0 X5\nG158 X10\nG0 X0\nG91 X1", with),
+            (Lines{"rapid x5", "rapid x10", "rapid x11"}));
+  EXPECT_EQ(moves("G158 X10\nG0 X0\nG158\nG91 X5", with), (Lines{"rapid x10", "rapid x5"}));
+  EXPECT_EQ(moves("G158 X10\nG0 X=IC(1) Z=IC(2)", with), Lines{"rapid x11 z2"});
+}
+
+// Seen from a frame that is turned by 90 degrees, 10 along X are -10 along Y: -5 - 10 along Y
+// there are 15 along X.
+TEST(SieFrame, TheTranslationThatAnIncrementGoesIsSeenInTheTurnedFrame) {
+  const Profile with = s802({{"sie.frame.increment", "with-translation"}});
+  EXPECT_EQ(moves("G158 X10\nG259 RPL=90\nG91 G0 Y-5", with), Lines{"rapid x15 y0"});
+}
+
+TEST(SieFrame, TheReadingOfIncrementsIsAskedBehindATranslationOnly) {
+  EXPECT_EQ(touched("G158 X10\nG91 G0 X1", s802()), Lines{"sie.frame.increment"});
+  EXPECT_EQ(touched("G158 X10\nG0 X0\nG91 X1\nZ1", s802()), Lines{});
+  EXPECT_EQ(touched("G259 RPL=9\nG91 G0 X1", s802()), Lines{});
+}
+
 TEST(SieFrame, G158AloneClears) {
   EXPECT_EQ(moves("G158 X10\nG259 RPL=90\nG158\nG0 X1 Y2"), Lines{"rapid x1 y2"});
   EXPECT_EQ(moves("G158 X10\nG259 RPL=90\nG158\nG0 X1 Y2", kAdditive), Lines{"rapid x1 y2"});
@@ -56,6 +80,16 @@ TEST(SieFrame, G158ReplacesTranslationAndRotation) {
 TEST(SieFrame, AnAdditiveG158IsInTheTurnedFrameAndKeepsTheRotation) {
   EXPECT_EQ(moves("G158 X10\nG259 RPL=90\nG158 X5\nG0 X1 Y0", kAdditive), Lines{"rapid x10 y6"});
   EXPECT_EQ(moves("G158 X10\nG158 X-10\nG0 X1", kAdditive), Lines{"rapid x1"});
+}
+
+// The quarter turn of (5, 0) is (0, 5) and that of (1, 2) is (-2, 1); the half one of (5, 0) is
+// (-5, 0).
+TEST(SieFrame, AG158OfTheTranslationAloneLeavesTheRotation) {
+  const Profile alone = s802({{"sie.g158", "translation-only"}});
+  EXPECT_EQ(moves("G258 RPL=90\nG158 X10\nG0 X5 Y0", alone), Lines{"rapid x10 y5"});
+  EXPECT_EQ(moves("G158 X10 Y10\nG259 RPL=90\nG158 Y5\nG0 X1 Y2", alone), Lines{"rapid x-2 y6"});
+  EXPECT_EQ(moves("G258 RPL=90\nG158 X10\nG259 RPL=90\nG0 X5 Y0", alone), Lines{"rapid x5 y0"});
+  EXPECT_EQ(moves("G258 RPL=90\nG158 X10\nG158\nG0 X5 Y0", alone), Lines{"rapid x5 y0"});
 }
 
 TEST(SieFrame, TheReadingOfG158MattersOnlyInAFrame) {
@@ -169,7 +203,10 @@ TEST(SieFrame, ItsCodesStandAlone) {
   EXPECT_EQ(frame_outcome("G158 Y=IC(5)"), "conflicting-words Y");
   EXPECT_EQ(frame_outcome("G158 X1 G258 RPL=5"), "duplicate-word G");
   EXPECT_EQ(frame_outcome("G1 X5 RPL=5"), "conflicting-words RPL");
-  EXPECT_EQ(clauses("G158 X1 F5", s802()), Lines{"SIE-FRM-04"});
+  EXPECT_EQ(clauses("G158 X1 F5", s802()), Lines{"SIE-FRM-07"});
+  EXPECT_EQ(clauses("G158 X1 M8", s802()), Lines{"SIE-FRM-07"});
+  EXPECT_EQ(clauses("G158 X1 G1", s802()), Lines{"SIE-FRM-04"});
+  EXPECT_EQ(clauses("G158 X1 I5", s802()), Lines{"SIE-FRM-04"});
 }
 
 TEST(SieFrame, G259NeedsAnAngle) {
@@ -226,6 +263,10 @@ TEST(SieFrame, WhatNoTextSaysOfAFrameIsNotCovered) {
   EXPECT_EQ(outcome("G111 X5\nG158 X10\nG0 AP=0 RP=1", profile), "not-covered RP");
   EXPECT_EQ(outcome("G110\nG258 RPL=30\nG112 X1", profile), "not-covered G112");
   EXPECT_EQ(outcome("G111 X5\nG158 X10\nG17\nG0 AP=0 RP=1", profile), "end");
+  EXPECT_EQ(outcome("G111 X5\nG17\nG158 X10\nG0 AP=0 RP=1", profile), "end");
+  const Profile kept = s802({{"sie.pole.same-plane", "kept"}});
+  EXPECT_EQ(outcome("G111 X5\nG158 X10\nG17\nG0 AP=0 RP=1", kept), "not-covered RP");
+  EXPECT_EQ(outcome("G111 X5\nG17\nG158 X10\nG0 AP=0 RP=1", kept), "not-covered RP");
   EXPECT_EQ(outcome("G111 X5\nG158\nG0 AP=0 RP=1", profile), "end");  // none was in force
   EXPECT_EQ(outcome("G158 X10\nG53 G0 X1", profile), "not-covered G53");
   EXPECT_EQ(outcome("G158 X10\nG53\nG0 X1", profile), "end");
@@ -235,8 +276,6 @@ TEST(SieFrame, WhatNoTextSaysOfAFrameIsNotCovered) {
 TEST(SieFrame, TheSister840DHasNone) {
   EXPECT_EQ(outcome("G158 X1"), "undefined-code G");
   EXPECT_EQ(outcome("G258"), "undefined-code G");
-  EXPECT_EQ(outcome("LCYC75"), "undefined-code LCYC75");
-  EXPECT_EQ(outcome("LCYC82"), "undefined-code LCYC82");
 }
 
 TEST(SieFrame, The802SHasThreeHundredParameters) {

@@ -112,7 +112,7 @@ TEST(Lcyc75Rules, TheTypeIsOneOrTwo) {
 TEST(Lcyc75Rules, NeedsATool) {
   EXPECT_EQ(pocket_outcome("T0"), "no-tool T");
   EXPECT_EQ(pocket_outcome("D0"), "no-tool T");
-  EXPECT_EQ(pocket_outcome("D0\nD2"), "end");
+  EXPECT_EQ(pocket_outcome("D0\nD1"), "end");
   EXPECT_EQ(pocket_outcome("D0\nT1 R118=90 R119=90"), "end");
   EXPECT_EQ(pocket_clause("T0"), "SIE-LC75-03");
 }
@@ -133,8 +133,71 @@ TEST(Lcyc75Rules, AToolThatTheProfileDoesNotDescribeIsWhatTheProfileLacks) {
   EXPECT_EQ(std::get<Profile>(written).tools.at("5").radius, Number(5));
 }
 
+// Each edge of a tool has a radius of its own, and a profile has one.
+TEST(Lcyc75Rules, OfAnotherEdgeThanTheFirstTheRadiusIsNotKnown) {
+  for (const char* edge : {"D2", "D9", "D0\nD2", "T4 D2"}) {
+    EXPECT_EQ(pocket_outcome(edge), "not-covered D") << edge;
+  }
+  EXPECT_EQ(pocket_outcome("D2\nT4"), "end");
+  EXPECT_EQ(pocket_outcome("D2\nD1"), "end");
+  EXPECT_EQ(pocket_outcome("D2 R126=5"), "direction-parameter R126, no-tool T");
+}
+
 TEST(Lcyc75Rules, WhatIsWrongWhateverTheToolIsAnAlarm) {
   EXPECT_EQ(pocket_outcome("T5 R126=0"), "direction-parameter R126, no-tool T");
+}
+
+// The second example of the text has R126=0.
+TEST(Lcyc75Rules, NoDirectionIsAReading) {
+  const Profile g2 = s802({{"sie.lc75.no-sense", "g2"}});
+  const Profile g3 = s802({{"sie.lc75.no-sense", "g3"}});
+  EXPECT_EQ(pockets(pocket_program("R126=0"), g2).at(0).sense, -1);
+  EXPECT_EQ(pockets(pocket_program("R126=0"), g3).at(0).sense, +1);
+  EXPECT_EQ(pockets(pocket_program("R126=3"), g2).at(0).sense, +1);
+  EXPECT_EQ(pocket_outcome("R126=0", s802({{"sie.lc75.no-sense", "alarm"}})),
+            "direction-parameter R126");
+  EXPECT_EQ(pocket_outcome("R126=1", g2), "direction-parameter R126");
+  const auto touches = [](std::string_view changes) {
+    const Lines names = touched(pocket_program(changes), s802());
+    return std::ranges::find(names, "sie.lc75.no-sense") != names.end();
+  };
+  EXPECT_TRUE(touches("R126=0"));
+  EXPECT_FALSE(touches(""));
+  EXPECT_FALSE(touches("R126=1"));
+}
+
+// The text says of roughing that the allowance is to be smaller than the tool.
+TEST(Lcyc75Rules, TheLimitOfTheAllowanceInFinishingIsAReading) {
+  const Profile none = s802({{"sie.lc75.finish-limit", "none"}});
+  EXPECT_EQ(pocket_outcome("R124=10 R127=2", none), "end");
+  EXPECT_EQ(pockets(pocket_program("R124=12 R127=2"), none).at(0).allowance, Number(12));
+  EXPECT_EQ(pocket_outcome("R124=10", none), "allowance-too-large R124");
+  const auto touches = [](std::string_view changes) {
+    const Lines names = touched(pocket_program(changes), s802());
+    return std::ranges::find(names, "sie.lc75.finish-limit") != names.end();
+  };
+  EXPECT_TRUE(touches("R124=10 R127=2"));
+  EXPECT_FALSE(touches("R124=9.999 R127=2"));
+  EXPECT_FALSE(touches("R124=10"));
+}
+
+// Inches of 25.4 mm; the tool's diameter is 10 mm.
+TEST(Lcyc75Rules, InInchesTheSentencesHaveTheNumbersOfTheProgram) {
+  const Profile inch = s802({{"sie.lcyc.unit", "inch"}, {"sie.corner", "reject"}});
+  const auto message = [&](const std::string& changes) {
+    const std::vector<Item> items = expand(pocket_program("R124=0 R125=0 " + changes, "G70"), inch);
+    return std::get<AlarmReport>(items.back()).alarms.front().message;
+  };
+  EXPECT_EQ(message("R118=-1"), "R118 = -1 is not above zero.");
+  EXPECT_EQ(message("R120=-0.5"), "R120 = -0.5 is below zero.");
+  EXPECT_EQ(message("R120=21"), "The corner radius R120 = 21 is larger than half the pocket, 20.");
+  EXPECT_EQ(message("R121=-1"), "The infeed R121 = -1 is not above zero.");
+  EXPECT_EQ(message("R124=0.5"),
+            "The allowance R124 = 0.5 (12.7 mm) is not smaller than the tool's diameter 10.");
+  EXPECT_EQ(message("R125=9"),
+            "The allowance R125 = 9 leaves nothing of the depth 8 to be roughed.");
+  EXPECT_EQ(message("R118=0.25 R120=0"),
+            "The tool, with the allowance 10 wide, does not fit into R118 = 0.25 (6.35 mm).");
 }
 
 TEST(Lcyc75Rules, NeedsATurningSpindle) {
@@ -148,6 +211,38 @@ TEST(Lcyc75Rules, NeedsATurningSpindle) {
 
 TEST(Lcyc75Rules, NeedsNoFeedOfItsOwn) {
   EXPECT_EQ(pocket_outcome("F0"), "end");
+}
+
+// F200 was in force, R123 is 300; the inch counts 25.4.
+TEST(Lcyc75Rules, WhichFeedIsInForceBehindItIsAReading) {
+  const auto behind = [](std::string_view blocks, const Profile& profile) {
+    return path(pocket_program() + std::string(blocks), profile).back();
+  };
+  const Profile kept = s802({{"sie.lc75.feed-after", "kept"}, {"sie.g70.f", "inch"}});
+  const Profile of_cycle = s802({{"sie.lc75.feed-after", "of-cycle"}, {"sie.g70.f", "inch"}});
+  EXPECT_EQ(behind("G1 X1", kept), "feed x1 f200");
+  EXPECT_EQ(behind("G1 X1", of_cycle), "feed x1 f300");
+  EXPECT_EQ(behind("G1 X1 F50\nX2", of_cycle), "feed x2 f50");
+  EXPECT_EQ(behind("G70\nG1 X1", kept), "feed x25.4 f5080");
+  EXPECT_EQ(behind("G70\nG1 X1", of_cycle), "feed x25.4 f300");
+  EXPECT_EQ(behind("G70\nG1 X1\nX2 F10", of_cycle), "feed x50.8 f254");
+  // A feed that has changed to revolutions since is a new one.
+  const Profile deletes =
+      s802({{"sie.lc75.feed-after", "of-cycle"}, {"sie.feed-change", "deleted"}});
+  EXPECT_EQ(outcome_of_program(pocket_program() + "G95 G1 X1", deletes), "feed-missing F");
+  EXPECT_EQ(path(pocket_program("G95") + "G1 X1", deletes).back(), "feed x1 f300/rev");
+}
+
+TEST(Lcyc75Rules, TheFeedBehindItIsAskedForByACutThatHasNone) {
+  const auto touches = [](std::string_view blocks) {
+    const Lines names = touched(pocket_program() + std::string(blocks), s802());
+    return std::ranges::find(names, "sie.lc75.feed-after") != names.end();
+  };
+  EXPECT_TRUE(touches("G1 X1"));
+  EXPECT_TRUE(touches("G0 X1\nLCYC82"));
+  EXPECT_FALSE(touches("G0 X1"));
+  EXPECT_FALSE(touches("G1 X1 F50\nX2"));
+  EXPECT_FALSE(touches("LCYC75"));
 }
 
 TEST(Lcyc75Rules, AllBrokenRulesAreReportedInTheOrderOfTheirParameters) {

@@ -90,6 +90,17 @@ TEST(Lcyc82, AllBrokenRulesAreReportedInTheOrderOfTheirParameters) {
             "reference-plane R101, value-sign R102, reference-plane R104, value-sign R105");
 }
 
+TEST(Lcyc82, MessagesHaveTheNumbersOfTheProgramAlsoInInches) {
+  const Item last =
+      expand("G70 F10\nR101=-5 R102=-1 R104=3\nLCYC82", s802({{"sie.lcyc.unit", "inch"}})).back();
+  Lines messages;
+  for (const Alarm& alarm : std::get<AlarmReport>(last).alarms) messages.push_back(alarm.message);
+  EXPECT_EQ(messages,
+            (Lines{"The retract plane R101 = -5 lies below the clearance R103 + R102 = -1.",
+                   "The safety clearance R102 = -1 is below zero.",
+                   "The depth R104 = 3 is not below the reference plane R103 = 0."}));
+}
+
 TEST(Lcyc82, AnAlarmStandsAtTheCall) {
   const Item last = expand("F9\nN10  LCYC82", s802()).back();
   EXPECT_EQ(std::get<AlarmReport>(last).alarms.at(0).where.begin, 5U);

@@ -78,6 +78,32 @@ TEST(SiePolar, ACodeOfThePlanePutsThePoleOnTheZero) {
   EXPECT_EQ(line("G111 X5 Y5\nG17 G0 RP=10 AP=0", 0), "rapid x10 y0");
 }
 
+// From the pole at (5, 5), and from one 1 beside it along X; AP and RP hold on.
+TEST(SiePolar, TheCodeOfThePlaneInForceLeavesThePoleUnderThatReading) {
+  const Profile kept = sie({{"sie.pole.same-plane", "kept"}});
+  EXPECT_EQ(line("G111 X5 Y5\nG17 G0 RP=10 AP=0", 0, kept), "rapid x15 y5");
+  EXPECT_EQ(line("G111 X5 Y5\nG17\nG17\nG112 X1\nG0 RP=10 AP=0", 0, kept), "rapid x16 y5");
+  EXPECT_EQ(path("G0 RP=10 AP=0\nG17\nAP=90", kept), (Lines{"rapid x10 y0", "rapid x0 y10"}));
+  EXPECT_EQ(path("G0 RP=10 AP=0\nG17\nRP=9 AP=IC(90)", kept),
+            (Lines{"rapid x10 y0", "rapid x0 y9"}));
+  EXPECT_EQ(outcome("G0 RP=10 AP=0\nG18\nG17\nAP=90", kept), "missing-word RP");
+  EXPECT_EQ(outcome("G0 RP=10 AP=0\nG17\nG111\nAP=90", kept), "missing-word RP");
+}
+
+TEST(SiePolar, TheReadingOfAPlaneInForceIsAskedWhereItShows) {
+  const Lines asked{"sie.pole.same-plane"};
+  EXPECT_EQ(touched("G111 X5\nG17\nG0 RP=10 AP=90"), asked);
+  EXPECT_EQ(touched("G111 X5\nG17\nG112 X1"), asked);
+  EXPECT_EQ(touched("G0 RP=10 AP=0\nG17\nAP=90"), asked);
+  EXPECT_EQ(touched("G0 RP=10 AP=0\nG17\nRP=9 AP=IC(90)"), asked);
+  for (const char* program :
+       {"G111 X5\nG17\nG0 X1", "G111 X5\nG17\nG111 X1\nG0 RP=10 AP=90",
+        "G111 X5\nG18\nG17\nG0 RP=10 AP=90", "G17\nG0 RP=10 AP=90",
+        "G0 RP=10 AP=0\nG17\nRP=9 AP=90", "G0 RP=10 AP=0\nG17\nG112 X1\nG0 RP=9 AP=90"}) {
+    EXPECT_EQ(touched(program), Lines{}) << program;
+  }
+}
+
 TEST(SiePolar, AnglesAreAbsoluteAndIcAddsToThem) {
   EXPECT_EQ(path("G91 G0 RP=10 AP=90\nAP=90\nAP=IC(90)\nAP=IC(-180)"),
             (Lines{"rapid x0 y10", "rapid x0 y10", "rapid x-10 y0", "rapid x10 y0"}));
