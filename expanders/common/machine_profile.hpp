@@ -39,8 +39,11 @@ constexpr int place_in(std::string_view list, std::string_view name) {
   }
 }
 
+inline constexpr std::size_t kMostReadings = 64;  // of one maker
+
 /// "key=alternative"; the build fails where there is none. A maker's `"..."_reading`.
 consteval Reading find_reading(std::span<const ReadingChoices> table, std::string_view name) {
+  if (table.size() > kMostReadings) throw std::invalid_argument("too many readings");
   const std::size_t equals = name.find('=');
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (table[i].key != name.substr(0, equals)) continue;
@@ -58,7 +61,7 @@ class Readings {
   void take(Reading reading) { taken_[reading.reading] = reading.alternative; }
 
  private:
-  std::array<std::uint8_t, 40> taken_{};
+  std::array<std::uint8_t, kMostReadings> taken_{};
 };
 
 inline constexpr std::size_t kOffsets = 6;  // G54 to G59

@@ -10,6 +10,14 @@ namespace {
 
 constexpr char kCentreAddress[] = {'I', 'J', 'K'};  // of X, Y, Z
 
+// Reading gsk.arc.small-radius: half the chord may be longer than R by parameter 3410.
+bool makes_semicircle(const Machine& machine, const Chord& chord, Fixed radius) {
+  const Fixed tolerance = machine.profile.parameters[kRadiusTolerance];
+  const Fixed longest = magnitude(radius) + tolerance;
+  return tolerance > 0 && machine.follows("gsk.arc.small-radius=semicircle"_reading) &&
+         chord.square() <= 4 * squared(longest);
+}
+
 void centre_from_r(Machine& machine, const Block& block, const Chord& chord, bool counterclockwise,
                    Chord& centre) {
   const Fixed radius = length_of(machine, block, 'R');
@@ -18,7 +26,11 @@ void centre_from_r(Machine& machine, const Block& block, const Chord& chord, boo
     case CircleDefect::kNoChord:
       return machine.raise(AlarmKind::kArcEndPoint, 'R');
     case CircleDefect::kRadiusTooShort:
-      return machine.raise(AlarmKind::kArcRadius, 'R');
+      if (!makes_semicircle(machine, chord, radius)) {
+        return machine.raise(AlarmKind::kArcRadius, 'R');
+      }
+      centre = {chord.p / 2, chord.q / 2};
+      return;
     case CircleDefect::kNone:
       return;
   }
@@ -60,6 +72,11 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
   const bool shaped =
       block.has('R') || block.has(kCentreAddress[plane.p]) || block.has(kCentreAddress[plane.q]);
   if (machine.in_alarm() || (axes == 0 && !shaped)) return;
+  if (!shaped && machine.follows("gsk.arc.no-centre=line"_reading)) {
+    machine.check_feed();
+    plan = [&machine, to, axes] { return machine.cut(to, axes); };
+    return;
+  }
   const Point& from = machine.state.position;
   const Chord chord{to[plane.p] - from[plane.p], to[plane.q] - from[plane.q]};
   const int rot = machine.state.motion == Motion::kArcClockwise ? -1 : 1;

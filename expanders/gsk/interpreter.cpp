@@ -29,9 +29,11 @@ enum class Group : GroupNumber {
 
 constexpr CodeRow kRows[] = {
     {Group::kNonModal, Support::kFull, "4 28 50"},
-    {Group::kNonModal, Support::kOutside, "10 30 31 35 36 37 52 53 65 70 71 72 73 74 75 76"},
+    {Group::kNonModal, Support::kOutside,
+     "6.4 6.5 6.6 7.9 10 10.9 25 26 30 31 35 36 37 51.2 51.3 52 53 53.3 65 68.1 70 71 72 73 74 75 "
+     "76 78 165 166 211"},
     {Group::kMotion, Support::kFull, "0 1 2 3 90 92 94"},
-    {Group::kMotion, Support::kOutside, "5 32 33 34"},
+    {Group::kMotion, Support::kOutside, "2.1 2.2 3.1 3.2 5 32 32.1 32.2 32.3 33 34 92.1 92.2"},
     {Group::kSpindle, Support::kNoEffect, "96 97"},
     {Group::kFeedMode, Support::kFull, "98 99"},
     {Group::kUnits, Support::kFull, "20 21"},
@@ -73,6 +75,7 @@ Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& si
   state.inch = profile.inch;
   state.feed = profile.feed;
   state.motion = static_cast<Motion>(profile.motion);
+  state.path_motion = state.motion;
 }
 
 Interpreter::Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink,
@@ -192,7 +195,9 @@ void Interpreter::cancel_cycles() {
   if (machine_.has("g80-keeps-g94"_fault) && is_turning_cycle(state.motion)) return;
   if (machine_.has("g80-restores-motion"_fault) && from_mode) return;
   state.turning = {};
-  state.motion = Motion::kRapid;
+  const bool kept = machine_.follows("gsk.g80.motion=kept"_reading);
+  if (!kept) state.motion = Motion::kRapid;
+  if (kept && is_turning_cycle(state.motion)) state.motion = state.path_motion;
 }
 
 void Interpreter::enter_cycle(Cycle cycle) {
@@ -216,6 +221,7 @@ void Interpreter::enter_cycle(Cycle cycle) {
 
 void Interpreter::take_motion_code() {
   const Code* code = block().code(Group::kMotion);
+  machine_.motion_coded = code != nullptr;
   if (code == nullptr) return;
   State& state = machine_.state;
   const Motion motion = motion_of(*code);
@@ -226,10 +232,13 @@ void Interpreter::take_motion_code() {
                        is_turning_cycle(motion);
     if (!leaks) state.turning = {};
     if (machine_.has("taper-leaks-past-motion"_fault)) state.turning.taper = taper;
-  } else if (machine_.follows("gsk.g94.rewrite=clear"_reading) && !block().has('R')) {
-    state.turning.taper = {};
+  } else if (!is_once()) {
+    // The words of the block are taken in later.
+    if (machine_.follows("gsk.g94.rewrite=clear-all"_reading)) state.turning = {};
+    if (machine_.follows("gsk.g94.rewrite=clear"_reading)) state.turning.taper = {};
   }
   state.motion = motion;
+  if (!is_turning_cycle(motion)) state.path_motion = motion;
   // GSK-G110-15
   if (!machine_.has("pocket-leaks-past-motion"_fault)) state.cycle = Cycle::kNone;
 }

@@ -100,6 +100,7 @@ struct State {
   Fixed feed = 0;  // mm a minute or a revolution; 0: none in force
   Fixed lead = 0;  // F of G92, mm a revolution; 0: none in force
   Motion motion = Motion::kRapid;
+  Motion path_motion = Motion::kRapid;  // the last that is no turning cycle
   Cycle cycle = Cycle::kNone;
   TurningStore turning;
   PocketStore pocket;
@@ -113,6 +114,7 @@ class Machine : public expanders::Machine {
   Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink,
           Planted<Fault> planted);
   State state;
+  bool motion_coded = false;  ///< a code of group 01 stands in the block
 
   const Plane& plane() const { return *state.plane; }
   /// Notes the first rule that the block breaks.
@@ -140,8 +142,6 @@ struct AxisWord {
   char address = 0;
   Fixed value = 0;  ///< true length in mm, or degrees
 };
-
-inline constexpr AddressSet kAxisAddresses{"XYZUVWCH"};
 
 // In words.cpp.
 

@@ -9,10 +9,12 @@ namespace gonogo::expanders::gsk {
 
 inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"gsk.pocket.end", "initial|r-plane"},
-    {"gsk.g94.rewrite", "keep|clear"},
+    {"gsk.g94.rewrite", "keep|clear|clear-all"},
     {"gsk.g94.after-00", "stays|cancelled"},
     {"gsk.g94.empty-block", "none|repeat"},
+    {"gsk.g94.still-axis", "alarm|ignored"},
     {"gsk.g94.taper-limit", "run|alarm"},
+    {"gsk.g80.motion", "traverse|kept"},
     {"gsk.pocket.p-beyond", "r-plane|literal"},
     {"gsk.pocket.q-zero", "one-layer|alarm"},
     {"gsk.helix.return", "rapid|feed"},
@@ -30,6 +32,8 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"gsk.feed-change", "kept|deleted"},
     {"gsk.dwell-without-word", "alarm|none"},
     {"gsk.arc.tolerance-zero", "off|exact"},
+    {"gsk.arc.no-centre", "alarm|line"},
+    {"gsk.arc.small-radius", "alarm|semicircle"},
     {"gsk.g50.initial-plane", "shifted|kept"},
     {"gsk.helix.entry-side", "any|+p"},
     {"gsk.helix.flat", "off|on"},

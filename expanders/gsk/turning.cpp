@@ -11,7 +11,8 @@ void retain_words(Machine& machine, const Block& block) {
   if (machine.has("taper-lost"_fault)) store.taper = {};
   for (std::size_t axis = GONOGO_X; axis <= GONOGO_Z; ++axis) {
     const AxisWord word = axis_word(machine, block, axis);
-    if (word.present) store.end[axis] = {true, word.incremental, word.value};
+    const bool in_plane = axis != machine.plane().d;
+    if (word.present && in_plane) store.end[axis] = {true, word.incremental, word.value};
   }
   take(machine, block, 'R', store.taper);
 }
@@ -20,7 +21,12 @@ void retain_words(Machine& machine, const Block& block) {
 char off_plane_word(const Machine& machine, const Block& block) {
   for (const std::size_t axis : {machine.plane().d, std::size_t{GONOGO_C}}) {
     const AxisWord word = axis_word(machine, block, axis);
-    if (word.present) return word.address;
+    if (!word.present) continue;
+    // Reading gsk.g94.still-axis.
+    const Fixed here = machine.state.position[axis];
+    const bool still = target_of(word, here) == here;
+    if (still && machine.follows("gsk.g94.still-axis=ignored"_reading)) continue;
+    return word.address;
   }
   return 0;
 }
@@ -41,10 +47,16 @@ bool taper_too_long(const Machine& machine, Fixed taper, Fixed travel) {
 }
 
 bool runs(const Machine& machine, const Block& block) {
-  if (block.has_any(kAxisAddresses) || block.has('R')) return true;
-  // Reading gsk.g94.empty-block.
-  return machine.follows("gsk.g94.empty-block=repeat"_reading) && !block.empty() &&
-         !machine.state.turning.empty();
+  const Plane& plane = machine.plane();
+  if (axis_word(machine, block, plane.p).present || axis_word(machine, block, plane.q).present ||
+      block.has('R')) {
+    return true;
+  }
+  // Reading gsk.g94.empty-block: S, T and M are no words of the cycle.
+  const bool is_thread = machine.state.motion == Motion::kThreadCycle;
+  const AddressSet own = is_thread ? AddressSet{"FIJKLPQ"} : AddressSet{"F"};
+  return machine.follows("gsk.g94.empty-block=repeat"_reading) &&
+         (machine.motion_coded || block.has_any(own)) && !machine.state.turning.empty();
 }
 
 }  // namespace
@@ -52,13 +64,14 @@ bool runs(const Machine& machine, const Block& block) {
 TurningWords take_turning_words(Machine& machine, const Block& block, std::size_t positioning) {
   TurningWords words;
   check_ranges(machine, block);
-  words.runs = runs(machine, block) && !machine.in_alarm();
-  if (!words.runs) return words;
+  if (machine.in_alarm()) return words;
   const char off_plane = off_plane_word(machine, block);
   if (off_plane != 0 && !machine.has("off-plane-unchecked"_fault)) {
     machine.raise(AlarmKind::kAxisNotInPlane, off_plane);
     return words;
   }
+  words.runs = runs(machine, block);
+  if (!words.runs) return words;
   retain_words(machine, block);
   const TurningStore& store = machine.state.turning;
   const Point& start = machine.state.position;

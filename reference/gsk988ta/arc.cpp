@@ -14,6 +14,19 @@ namespace {
 
 using Centre = std::optional<Point_2>;
 
+// Parameter 3410, mm: how far two radii may be apart.
+Number most_apart(const BlockContext& block) {
+  return block.profile.parameter("3410").value_or(Number::millionths(10'000));
+}
+
+// GSK-COM-05, parameter 3403#4: R is less than half the chord, by no more than radii may be apart.
+bool is_semicircle(const BlockContext& block, const ArcEnds& ends) {
+  const Number limit = most_apart(block);
+  return limit.sign() > 0 &&
+         ends.chord_within((abs(block.words.length('R').value()) + limit) * 2) &&
+         block.readings.is("gsk.arc.small-radius=semicircle"_reading);
+}
+
 // Nothing when the rules are broken.
 Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
   if (ends.closed()) {
@@ -22,6 +35,7 @@ Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
     return std::nullopt;
   }
   const Centre centre = centre_from_radius(ends, block.words.length('R').value(), sense);
+  if (!centre && is_semicircle(block, ends)) return ends.middle();
   if (!centre) {
     block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, 'R',
                 radius_too_small(ends, block.words.length('R').value()));
@@ -41,7 +55,7 @@ Centre centre_by_offsets(BlockContext& block, const PlaneAxes& axes, const ArcEn
     }
     return std::nullopt;
   }
-  const Number limit = block.profile.parameter("3410").value_or(Number::millionths(10'000));
+  const Number limit = most_apart(block);
   const bool checked =
       limit.sign() > 0 ||
       (limit.sign() == 0 && block.readings.is("gsk.arc.tolerance-zero=exact"_reading));
@@ -72,11 +86,13 @@ void run_arc(BlockContext& block, int sense) {
   Position to;
   const AxisSet named = commanded_end_point(block, to);
   if (named.empty() && !by_radius && !by_centre) return;
-  block.need_feed();
-  if (!by_radius && !by_centre) {
-    block.missing("GSK-COM-01"_clause, 'R');
-    return;
+  const bool has_centre = by_radius || by_centre;
+  // GSK-COM-01, parameter 3403#5.
+  if (!has_centre && block.readings.is("gsk.arc.no-centre=line"_reading)) {
+    return run_straight_feed(block);
   }
+  block.need_feed();
+  if (!has_centre) return block.missing("GSK-COM-01"_clause, 'R');
   const ArcEnds ends(axes, machine.position, to);
   const Centre centre =
       by_radius ? centre_by_radius(block, ends, sense) : centre_by_offsets(block, axes, ends);

@@ -2,16 +2,56 @@
 #include "reference/gsk988ta/cutting_cycle.hpp"
 
 #include "reference/compared.hpp"
+#include "reference/gsk988ta/descriptor.hpp"
 #include "reference/predicate.hpp"
 #include "reference/reading_literal.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace gonogo::reference::gsk988ta {
+namespace {
+
+// GSK-G94-08: whether the word of the axis leads to where it stands. REQUIRES: the block has one.
+bool stands_still(const BlockContext& block, Axis axis) {
+  const AxisWord word = block.words.axis_word(axis).value();
+  const Number way = word.incremental ? word.value : word.value - block.machine.position[axis];
+  return way.try_sign() == 0;
+}
+
+// GSK-G94-06: what the block does not give although it has the code in force again.
+void take_code_again(BlockContext& block) {
+  RetainedCut& retained = block.machine.cut;
+  const bool lacks_taper = retained.taper.sign() != 0 && !block.words.has('R');
+  const bool lacks_axis = std::ranges::any_of(kLinearAxes, [&](Axis axis) {
+    return retained.end_point[index(axis)].has_value() && !block.words.has_axis_word(axis);
+  });
+  if (!lacks_taper && !lacks_axis) return;
+  if (block.readings.is("gsk.g94.rewrite=clear-all"_reading)) return retained.clear();
+  if (lacks_taper && block.readings.is("gsk.g94.rewrite=clear"_reading)) retained.taper = 0;
+}
+
+// Whether the block has the code of the cycle, or a word of it: a spindle or a tool has none.
+bool speaks_of_cut(const BlockContext& block) {
+  if (block.codes.motion >= 0) return true;
+  const Code& code = *block.code_in_force();
+  return std::ranges::any_of(block.words.block().words, [&](const grammar::Word& word) {
+    const bool is_axis = (table::kAxisLetters & letter_bit(word.address)) != 0;
+    return word.address == 'F' || (code.takes(word.address) && !is_axis);
+  });
+}
+
+}  // namespace
 
 void refuse_other_axes(BlockContext& block, const CuttingAxes& axes, ClauseId clause) {
   for (const AxisAddresses& addresses : kAxisAddresses) {
     if (addresses.axis == axes.positioning || addresses.axis == axes.cutting) continue;
+    if (!block.words.has_axis_word(addresses.axis)) continue;
+    if (stands_still(block, addresses.axis) &&
+        block.readings.is("gsk.g94.still-axis=ignored"_reading)) {
+      continue;
+    }
     for (char address : {addresses.absolute, addresses.increment}) {
       if (!block.words.has(address)) continue;
       block.alarm(
@@ -23,24 +63,21 @@ void refuse_other_axes(BlockContext& block, const CuttingAxes& axes, ClauseId cl
 
 // GSK-G94-06, GSK-G90-06, GSK-G92-06
 void retain_cut_words(BlockContext& block, const CuttingAxes& axes) {
+  if (is_cutting_cycle(block.codes.motion) && !block.entered_cut) take_code_again(block);
   RetainedCut& retained = block.machine.cut;
   for (Axis axis : {axes.positioning, axes.cutting}) {
     if (auto word = block.words.axis_word(axis)) retained.end_point[index(axis)] = word;
   }
-  if (auto taper = block.words.length('R')) {
-    retained.taper = *taper;
-  } else if (is_cutting_cycle(block.codes.motion) && !block.entered_cut &&
-             block.readings.is("gsk.g94.rewrite=clear"_reading)) {
-    retained.taper = 0;
-  }
+  if (auto taper = block.words.length('R')) retained.taper = *taper;
 }
 
+// GSK-G94-12, GSK-G90-12, GSK-G92-12
 bool runs_cut(const BlockContext& block, const CuttingAxes& axes) {
   if (block.words.has_axis_word(axes.positioning) || block.words.has_axis_word(axes.cutting) ||
       block.words.has('R')) {
     return true;
   }
-  return !block.entered_cut && !block.machine.cut.empty() &&
+  return !block.entered_cut && !block.machine.cut.empty() && speaks_of_cut(block) &&
          block.readings.is("gsk.g94.empty-block=repeat"_reading);
 }
 

@@ -19,7 +19,8 @@ struct CuttingAxes {
 void refuse_other_axes(BlockContext& block, const CuttingAxes& axes, ClauseId clause);
 // Words of this block replace the retained ones.
 void retain_cut_words(BlockContext& block, const CuttingAxes& axes);
-// Whether the block runs the cycle: it has an axis word or R, or it repeats the retained ones.
+// Whether the block runs the cycle: it has an axis word or R, or it speaks of the cycle and repeats
+// the retained ones.
 bool runs_cut(const BlockContext& block, const CuttingAxes& axes);
 // C along one axis: absolute, an increment from A (GSK-MOD-07), or no travel.
 Number cut_end_point(const BlockContext& block, Axis axis);

@@ -27,6 +27,7 @@ class Interpreter : public BlockInterpreter {
     machine_.units = profile.units;
     machine_.feed = profile.initial.feed;
     machine_.motion = profile.initial.motion;
+    machine_.motion_before_cut = profile.initial.motion;
   }
 
   void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) override;
@@ -45,6 +46,7 @@ class Interpreter : public BlockInterpreter {
   void carry_cut(bool units_change);
   void take_motion_code(BlockContext& block);
   void take_cycle_code(BlockContext& block);
+  void cancel_cycles(BlockContext& block);
   void take_feed(const BlockWords& words);
   void carry_feed(const FeedBasis& before);
   bool has_stray_word(const BlockContext& block) const;
@@ -127,6 +129,7 @@ void Interpreter::take_motion_code(BlockContext& block) {
     block.entered_cut = is_cutting_cycle(code);
   }
   machine_.motion = code;
+  if (!is_cutting_cycle(code)) machine_.motion_before_cut = code;
 }
 
 // GSK-MOD-01, GSK-MOD-04: entered from outside, or from another mode of the milling cycles. The
@@ -151,13 +154,22 @@ void Interpreter::enter_cycle(BlockContext& block) {
   mode.code = code;
 }
 
+// GSK-MOD-06: G80 ends the mode and the cutting cycles. As a code of group 01 it positions axis
+// words, those of its own block too; else what was in force before the cycle moves them.
+void Interpreter::cancel_cycles(BlockContext& block) {
+  leave_milling_mode();
+  machine_.cut.clear();
+  if (block.codes.motion >= 0) return block.out.accept("GSK-MOD-10"_clause);
+  const int before =
+      is_cutting_cycle(machine_.motion) ? machine_.motion_before_cut : machine_.motion;
+  const bool kept = before != 0 && readings_.is("gsk.g80.motion=kept"_reading);
+  machine_.motion = kept ? before : 0;
+}
+
 void Interpreter::take_cycle_code(BlockContext& block) {
   const int code = block.codes.cycle;
   if (code == 80) {
-    // GSK-MOD-06: G80 ends the mode and G94; axis words are positioned, in its own block too.
-    leave_milling_mode();
-    machine_.cut.clear();
-    if (block.codes.motion < 0) machine_.motion = 0;
+    cancel_cycles(block);
   } else if (code > 0) {
     enter_cycle(block);
   } else if (machine_.milling.family() == CycleFamily::thread && block.words.any() &&

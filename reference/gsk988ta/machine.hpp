@@ -67,6 +67,7 @@ struct Machine : MotionState {
   bool has_feed = false;      // F was written, maybe as zero or less
   bool feed_in_inch = false;  // F was written under G20
   int motion = 0;             // group 01: 0, 1, 2, 3, 90, 92, 94
+  int motion_before_cut = 0;  // the last of it that is no cutting cycle
   RetainedCut cut;
   Number thread_lead;               // F of G92, 0: none
   bool thread_run_out_off = false;  // J or K of G92 was given as 0

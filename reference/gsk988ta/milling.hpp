@@ -75,7 +75,7 @@ void check_needed(BlockContext& block, std::span<const NeededWord> words, bool m
 void check_tool_radius(BlockContext& block, ClauseId clause);
 // GSK-MOD-02: I, L, Q, D, R and P that the mode takes in from every block, milling or not.
 void latch_pocket_words(BlockContext& block);
-// Whether the words that the mode needs are looked for in this block: it enters the mode, or mills.
+// Whether this block needs the words of the mode: it enters the mode, or mills.
 bool is_entry(const BlockContext& block);
 
 }  // namespace gonogo::reference::gsk988ta

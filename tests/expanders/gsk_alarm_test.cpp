@@ -118,7 +118,8 @@ TEST(GskAlarm, CodesThatTheControlLacks) {
 }
 
 TEST(GskAlarm, CodesOfALaterVersionAreUnsupported) {
-  for (const char* code : {"G71", "G83", "G7.1", "G41", "G55", "G32"}) {
+  for (const char* code :
+       {"G71", "G83", "G7.1", "G41", "G55", "G32", "G26", "G2.1", "G92.2", "G53.3", "G165"}) {
     const Outcome outcome = run(std::string("G00 X2\n") + code + " X1\n");
     EXPECT_EQ(outcome.answer, GONOGO_UNSUPPORTED) << code;
     EXPECT_NE(outcome.note.find(std::string(code) + " "), std::string::npos) << outcome.note;

@@ -26,7 +26,8 @@ TEST(GskConfiguration, DefaultsMayBeWrittenOut) {
     "gsk.zero-depth-end":"initial","gsk.dwell-without-word":"alarm","gsk.arc.zero-radius":"alarm",
     "gsk.arc.tolerance-zero":"off","gsk.g50.initial-plane":"shifted",
     "gsk.rotary-feed-inch":"scaled","gsk.retained":"keep","gsk.feed-units":"length",
-    "gsk.feed-change":"kept"}})"),
+    "gsk.feed-change":"kept","gsk.g80.motion":"traverse","gsk.arc.no-centre":"alarm",
+    "gsk.arc.small-radius":"alarm","gsk.g94.still-axis":"alarm"}})"),
             GONOGO_OK);
 }
 

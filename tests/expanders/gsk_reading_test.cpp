@@ -26,6 +26,9 @@ TEST(GskReading, G94Rewrite) {
   const std::string program = "G94 X-8 Z-9 R-5 F50\nG94 X-6\n";
   EXPECT_EQ(run_with_reading("gsk.g94.rewrite", "keep", program).records[4], "rapid z=-14");
   EXPECT_EQ(run_with_reading("gsk.g94.rewrite", "clear", program).records[4], "rapid z=-9");
+  // Z has no travel then: nothing leads to it.
+  EXPECT_EQ(run_with_reading("gsk.g94.rewrite", "clear-all", program).records[4],
+            "feed x=-6 z=0 f=50");
 }
 
 TEST(GskReading, G94AfterNonModalCode) {
@@ -39,6 +42,69 @@ TEST(GskReading, G94EmptyBlock) {
   const std::string program = "G94 X-8 Z-9 F50\nF60\n\nG04 P1\n";
   EXPECT_EQ(run_with_reading("gsk.g94.empty-block", "none", program).records.size(), 6u);
   EXPECT_EQ(run_with_reading("gsk.g94.empty-block", "repeat", program).records.size(), 10u);
+}
+
+TEST(GskReading, G94EmptyBlockNeedsTheCodeOrAWordOfTheCycle) {
+  const auto motions = [](const std::string& block) {
+    return run_with_reading("gsk.g94.empty-block", "repeat", "G94 X-8 Z-9 F50\n" + block + "\n")
+        .motions();
+  };
+  const std::string once = "rapid z=-9\nfeed x=-8 z=-9 f=50\nfeed z=0 f=50\nrapid x=0\n";
+  for (const char* block : {"S300", "T0202", "G97"}) EXPECT_EQ(motions(block), once) << block;
+  EXPECT_EQ(motions("M05"), once + "m 5\n");
+  EXPECT_EQ(motions("G94"), once + once);
+}
+
+TEST(GskReading, G92EmptyBlockTakesTheWordsOfItsRunOut) {
+  const std::string program = "G92 X-8 Z-9 F2\nJ0\n";
+  EXPECT_EQ(run_with_reading("gsk.g94.empty-block", "none", program).records.size(), 5u);
+  EXPECT_EQ(run_with_reading("gsk.g94.empty-block", "repeat", program).records.size(), 9u);
+}
+
+TEST(GskReading, G80Motion) {
+  const std::string line = "G01 X5 F50\nG80\nX8\n";
+  EXPECT_EQ(run_with_reading("gsk.g80.motion", "traverse", line).records[1], "rapid x=8");
+  EXPECT_EQ(run_with_reading("gsk.g80.motion", "kept", line).records[1], "feed x=8 f=50");
+  const std::string cycle = "G01 X5 F50\nG94 X2 Z-9\nG80 X8\n";
+  EXPECT_EQ(run_with_reading("gsk.g80.motion", "traverse", cycle).records[5], "rapid x=8");
+  EXPECT_EQ(run_with_reading("gsk.g80.motion", "kept", cycle).records[5], "feed x=8 f=50");
+  const std::string arc = "G03 X4 R2 F50\nG80 X8\n";
+  EXPECT_EQ(run_with_reading("gsk.g80.motion", "kept", arc).alarm, "missing-word");
+}
+
+TEST(GskReading, WordOfAnAxisOutsideThePlaneThatMovesNothing) {
+  const auto said = [](const std::string& value, const std::string& word) {
+    const Outcome outcome = run_with_reading("gsk.g94.still-axis", value,
+                                             "G00 Y2\nG94 X-8 Z-9 F50 " + word + "\nG00 X1\n");
+    return outcome.alarms != 0 ? outcome.alarm : outcome.records.at(1);
+  };
+  for (const char* word : {"V0", "Y2", "C0", "H0"}) {
+    EXPECT_EQ(said("alarm", word), "axis-not-in-plane") << word;
+    EXPECT_EQ(said("ignored", word), "rapid z=-9") << word;
+  }
+  for (const char* word : {"V1", "Y3", "C1", "H1"}) {
+    EXPECT_EQ(said("ignored", word), "axis-not-in-plane") << word;
+  }
+  const Outcome alone = run_with_reading("gsk.g94.still-axis", "ignored", "G94 X-8 Z-9 F50\nV0\n");
+  EXPECT_EQ(alone.records.size(), 5u);
+}
+
+TEST(GskReading, ArcWithoutCentre) {
+  const std::string program = "G02 X4 Z3 F50\n";
+  EXPECT_EQ(run_with_reading("gsk.arc.no-centre", "alarm", program).alarm, "missing-word");
+  EXPECT_EQ(run_with_reading("gsk.arc.no-centre", "line", program).motions(),
+            "feed x=4 z=3 f=50\n");
+  EXPECT_EQ(run_with_reading("gsk.arc.no-centre", "line", "G02 X4 Z3\n").alarm, "feed-missing");
+}
+
+// Half the chord may be longer than R by 0.01.
+TEST(GskReading, ArcWithASmallRadius) {
+  const std::string program = "G02 Z10.02 R5 F50\n";
+  EXPECT_EQ(run_with_reading("gsk.arc.small-radius", "alarm", program).alarm, "arc-radius");
+  EXPECT_EQ(run_with_reading("gsk.arc.small-radius", "semicircle", program).motions(),
+            "arc18 c=5.01,0 rot=-1 x=0 z=10.02 f=50\n");
+  EXPECT_EQ(run_with_reading("gsk.arc.small-radius", "semicircle", "G02 Z10.021 R5 F50\n").alarm,
+            "arc-radius");
 }
 
 // 0.5 inch are 12.7 mm.

@@ -83,6 +83,44 @@ TEST(Arc, NeitherRNorAnOffsetIsAMissingWord) {
   EXPECT_EQ(ending("G17 G0 X20 Y0\nG3 X0 Y10 F100"), "alarm b2 missing-word");
 }
 
+// Parameter 3403#5.
+TEST(Arc, NeitherRNorAnOffsetIsAStraightFeedUnderItsReading) {
+  const Profile line = profile_with({{"gsk.arc.no-centre", "line"}});
+  EXPECT_EQ(lines("G17 G0 X20 Y0\nG3 X0 Y10 F100\nX10 Z5", line),
+            (Lines{"rapid x10 y0", "feed x0 y10 f100", "feed x5 z5 f100"}));
+  EXPECT_EQ(ending("G17 G0 X20 Y0\nG3 X0 Y10", line), "alarm b2 feed-missing");
+  EXPECT_EQ(lines("G17 G0 X20 Y0\nG3 X0 Y10 R10 F100", line),
+            lines("G17 G0 X20 Y0\nG3 X0 Y10 R10 F100"));
+  EXPECT_EQ(touched_readings("G17 G0 X20 Y0\nG3 X0 Y10 F100"), Lines{"gsk.arc.no-centre"});
+  EXPECT_EQ(touched_readings("G17 G0 X20 Y0\nG3 X0 Y10 R10 F100"), Lines{});
+}
+
+// Parameter 3403#4: the radius of the semicircle and R are no farther apart than parameter 3410.
+TEST(Arc, ARThatIsALittleTooSmallIsASemicircleUnderItsReading) {
+  const auto end = [](const std::string& y, Profile profile, const char* tolerance = nullptr) {
+    if (tolerance != nullptr) profile.parameters["3410"] = num(tolerance);
+    return ending("G17 G0 X0 Y0\nG2 Y" + y + " R10 F100", profile);
+  };
+  const Profile half = profile_with({{"gsk.arc.small-radius", "semicircle"}});
+  EXPECT_EQ(end("20.02", half), "end x0 y20.02 z0 a0 c0");
+  EXPECT_EQ(end("20.021", half), "alarm b2 arc-radius");
+  EXPECT_EQ(end("21", half, "0.5"), "end x0 y21 z0 a0 c0");
+  EXPECT_EQ(end("21.001", half, "0.5"), "alarm b2 arc-radius");
+  EXPECT_EQ(end("20.001", half, "0"), "alarm b2 arc-radius");
+  EXPECT_EQ(end("20.02", {}), "alarm b2 arc-radius");
+  // Its centre is the middle of the chord, whatever the sign of R is.
+  for (const char* r : {"10", "-10"}) {
+    EXPECT_EQ(lines(std::string("G17 G0 X0 Y0\nG3 Y20.02 F100 R") + r, half)[1],
+              "arc x0 y20.02 c0,10.01 rot1 f100");
+  }
+}
+
+TEST(Arc, ASmallRadiusIsAskedOfWhereTheParameterAllowsIt) {
+  EXPECT_EQ(touched_readings("G17 G2 Y20.02 R10 F100"), Lines{"gsk.arc.small-radius"});
+  EXPECT_EQ(touched_readings("G17 G2 Y20.021 R10 F100"), Lines{});
+  EXPECT_EQ(touched_readings("G17 G2 Y20 R10 F100"), Lines{});
+}
+
 TEST(Arc, RWithTheEndAtTheStartIsRefused) {
   EXPECT_EQ(ending("G17 G0 X20 Y0\nG3 X20 Y0 R10 F100"), "alarm b2 arc-end-point");
   EXPECT_EQ(ending("G17 G0 X20 Y0\nG3 R10 F100"), "alarm b2 arc-end-point");
@@ -212,8 +250,8 @@ TEST(Arc, InInchesRAndTheOffsetsAreInInches) {
   EXPECT_EQ(lines("G20 G17 G0 X2 Y0\nG3 X0 Y1 I-1 F10"), want);
 }
 
-// Found by generated programs (seed 307643): after a thread that ends at an angle the position is an
-// enclosure, of which equal radii cannot be told to be equal; that they agree can.
+// Found by generated programs (seed 307643): after a thread that ends at an angle the position is
+// an enclosure, of which equal radii cannot be told to be equal; that they agree can.
 TEST(Arc, ItsRadiiAreComparedAlsoWhereThePositionIsOnlyEnclosed) {
   const std::string thread =
       "G17 G0 X20 Y0 Z6 F100\nG117 X51 Y39.71 W-0.512 I1.024 E40.72 P1.975 D5.001 Q0.988 J0.725 "

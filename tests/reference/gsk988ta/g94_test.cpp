@@ -113,6 +113,20 @@ TEST(G94, ReadingRewriteClearMakesItStraight) {
   EXPECT_EQ(Lines(cleared.begin() + 5, cleared.end()), want);
 }
 
+// Note 2 has the end point and R together: what the block does not give is as if never given.
+TEST(G94, ReadingRewriteClearAllBeginsAnew) {
+  const Profile all = profile_with({{"gsk.g94.rewrite", "clear-all"}});
+  const Lines again = lines(kFromA + "G94 X100 Z-30 R-5 F100\nG94 X80\nZ-10", all);
+  ASSERT_EQ(again.size(), 13U);
+  const Lines want = {"rapid z0",   "feed x40 z0 f100",   "feed z0 f100", "rapid x60",
+                      "rapid z-10", "feed x40 z-10 f100", "feed z0 f100", "rapid x60"};
+  EXPECT_EQ(Lines(again.begin() + 5, again.end()), want);
+  // The code alone leaves nothing to repeat.
+  EXPECT_EQ(lines(kFromA + "G94 X100 Z-30 R-5 F100\nG94", all).size(), 5U);
+  EXPECT_EQ(touched_readings(kFromA + "G94 X100 Z-30 F100\nG94 X80"), Lines{"gsk.g94.rewrite"});
+  EXPECT_EQ(touched_readings(kFromA + "G94 X100 Z-30 F100\nG94 X80 Z-20"), Lines{});
+}
+
 TEST(G94, Clause07AnotherCodeOfGroup01ClearsTheEndPointAndR) {
   for (const char* other : {"G0 X120 Z0", "G1 X120 Z0", "G0", "G1", "G2", "G3"}) {
     const Lines cycle = lines(kFromA + "G94 X100 Z-30 R-5 F100\n" + other + "\nG94 X80\nM0");
@@ -178,6 +192,25 @@ TEST(G94, Clause08AWordOfAnAxisOutsideThePlaneIsAnAlarm) {
 
 TEST(G94, Clause08HoldsInARepeatedBlockAndForAnIncrementOfZero) {
   EXPECT_EQ(ending(kFromA + "G94 X100 Z-30 F100\nV0"), "alarm b3 axis-not-in-plane");
+}
+
+// Note 1 speaks of the motion of such an axis.
+TEST(G94, Clause08AWordThatMovesNothingIsIgnoredUnderItsReading) {
+  const Profile ignored = profile_with({{"gsk.g94.still-axis", "ignored"}});
+  const std::string from = "G0 X120 Y20 Z0\n";
+  for (const char* cycle : {"G94 X100 Z-30 F100", "G90 X100 Z-30 F100", "G92 X100 Z-30 F2"}) {
+    for (const char* word : {" V0", " Y20", " C0", " H0"}) {
+      EXPECT_EQ(lines(from + cycle + word, ignored), lines(from + cycle)) << cycle << word;
+      EXPECT_EQ(touched_readings(from + cycle + word).front(), "gsk.g94.still-axis");
+    }
+    for (const char* word : {" V1", " Y0", " C5"}) {
+      EXPECT_EQ(ending(from + cycle + word, ignored), "alarm b2 axis-not-in-plane")
+          << cycle << word;
+    }
+  }
+  // Alone it is no word of the cycle.
+  const Lines cycle = lines(from + "G94 X100 Z-30 F100");
+  EXPECT_EQ(lines(from + "G94 X100 Z-30 F100\nV0", ignored), cycle);
 }
 
 // A control that looks at the limit of GSK-G94-09.
@@ -299,6 +332,29 @@ TEST(G94, ReadingEmptyBlockRepeatRunsTheCycleAgain) {
 TEST(G94, ReadingEmptyBlockRepeatHasNothingToRepeatAtTheEntry) {
   const Lines want = {kAtA};
   EXPECT_EQ(lines(kFromA + "G94 F100", profile_with({{"gsk.g94.empty-block", "repeat"}})), want);
+}
+
+// GSK-G94-12: what the block has is none of the cycle.
+TEST(G94, ReadingEmptyBlockRepeatsNothingInABlockOfAnotherMatter) {
+  const Profile repeat = profile_with({{"gsk.g94.empty-block", "repeat"}});
+  const std::string cycle = kFromA + "G94 X100 Z-30 R-5 F100\n";
+  for (const char* block : {"S300", "T0202", "G97", "G40", "G54 S300"}) {
+    EXPECT_EQ(lines(cycle + block, repeat), lines(cycle)) << block;
+    EXPECT_EQ(touched_readings(cycle + block), Lines{}) << block;
+  }
+  Lines stopped = lines(cycle);
+  stopped.emplace_back("m5");
+  EXPECT_EQ(lines(cycle + "M05", repeat), stopped);
+  stopped.back() = "m30";
+  EXPECT_EQ(lines(cycle + "M30", repeat), stopped);
+}
+
+TEST(G94, ReadingEmptyBlockRepeatTakesTheCodeAlone) {
+  const Lines cycle = lines(kFromA + "G94 X100 Z-30 R-5 F100\nG94",
+                            profile_with({{"gsk.g94.empty-block", "repeat"}}));
+  ASSERT_EQ(cycle.size(), 9U);
+  const Lines want = {"rapid z-35", "feed x50 z-30 f100", "feed z0 f100", "rapid x60"};
+  EXPECT_EQ(Lines(cycle.begin() + 5, cycle.end()), want);
 }
 
 TEST(G94, TheCycleNeedsAFeed) {

@@ -102,6 +102,56 @@ TEST(Mode, Mod06AfterG01AndTheModeG80StillPositions) {
   EXPECT_EQ(lines("G1 F100\n" + kEntry + "G80 X10"), Lines{"rapid x5"});
 }
 
+Profile keeping() {
+  return profile_with({{"gsk.g80.motion", "kept"}});
+}
+
+TEST(Mode, Mod06G80KeepsTheMotionOfBeforeUnderItsReading) {
+  EXPECT_EQ(lines("G1 Z-5 F100\nG80\nZ-10", keeping()), (Lines{"feed z-5 f100", "feed z-10 f100"}));
+  // In its own block, and behind the mode, whose F is 800.
+  EXPECT_EQ(lines("G1 F100\n" + kEntry + "G80 X10\nX20", keeping()),
+            (Lines{"feed x5 f800", "feed x10 f800"}));
+  EXPECT_EQ(lines(kEntry + "G80 X10", keeping()), Lines{"rapid x5"});
+}
+
+TEST(Mode, Mod06G80KeepsTheMotionOfBeforeACuttingCycleUnderItsReading) {
+  for (const std::string cycle : {"G90", "G94", "G90\nG94", "G94\nG28 U0"}) {
+    EXPECT_EQ(lines("G1 F100\n" + cycle + "\nG80 X10\nX20", keeping()).back(), "feed x10 f100")
+        << cycle;
+    EXPECT_EQ(lines("G0 F100\n" + cycle + "\nG80 X10\nX20", keeping()).back(), "rapid x10")
+        << cycle;
+  }
+  // Another code of the group, or one beside it, holds.
+  EXPECT_EQ(lines("G1 F100\nG94\nG0\nG80 X10", keeping()), Lines{"rapid x5"});
+  EXPECT_EQ(lines("G1 F100\nG80 G0 X10", keeping()), Lines{"rapid x5"});
+}
+
+TEST(Mode, Mod06AnArcInForceNeedsARadiusBehindG80UnderItsReading) {
+  EXPECT_EQ(ending("G2 W10 R5 F100\nG80\nW10", keeping()), "alarm b3 missing-word");
+  EXPECT_EQ(lines("G2 W10 R5 F100\nG80\nW10"), (Lines{"arc x0 z10 c5,0 rot-1 f100", "rapid z20"}));
+}
+
+TEST(Mode, Mod06WhatG80LeavesIsAskedWhereSomethingElseWasInForce) {
+  const Lines asked = {"gsk.g80.motion"};
+  EXPECT_EQ(touched_readings("G1 Z-5 F100\nG80\nZ-10"), asked);
+  EXPECT_EQ(touched_readings("G1 F100\nG94\nG80\nZ-10"), asked);
+  EXPECT_EQ(touched_readings("G0 Z-5\nG80\nZ-10"), Lines{});
+  EXPECT_EQ(touched_readings("G1 Z-5 F100\nG80 G0 Z-10"), Lines{});
+}
+
+// GSK-MOD-06, GSK-MOD-09: they are of one group, or exclude each other.
+TEST(Mode, Mod06G80BesideAMillingCycleAdmitsTwoClasses) {
+  for (const char* program : {"G80 G112 X1 Y1 W-2 I6 D4 F100", "G112 G80 X1 Y1 W-2 I6 D4 F100"}) {
+    const std::vector<Item> items = expand(program);
+    const auto& report = std::get<AlarmReport>(items.back());
+    EXPECT_TRUE(admits(report, "duplicate-word")) << program;
+    EXPECT_TRUE(admits(report, "conflicting-words")) << program;
+    EXPECT_FALSE(admits(report, "missing-word")) << program;
+  }
+  const std::vector<Item> items = expand("G110 G112 X1 Y1 W-2 I6 D4 F100");
+  EXPECT_FALSE(admits(std::get<AlarmReport>(items.back()), "conflicting-words"));
+}
+
 TEST(Mode, Mod06G80EndsG94) {
   EXPECT_EQ(lines("G94 F100\nG80 X10\nX20"), (Lines{"rapid x5", "rapid x10"}));
 }

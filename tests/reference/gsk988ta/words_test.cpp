@@ -59,6 +59,16 @@ TEST(Words, NotCoveredCodesEndTheProgramByName) {
   }
 }
 
+// The maker names them in chapters of their own or in the texts of its parameters.
+TEST(Words, CodesThatTheMakerNamesElsewhereAreNotUndefined) {
+  for (const char* code : {"G2.1",  "G3.1",  "G2.2", "G3.2",  "G6.4",  "G6.5",  "G6.6",  "G7.9",
+                           "G10.9", "G25",   "G26",  "G32.1", "G32.2", "G32.3", "G51.2", "G51.3",
+                           "G53.3", "G68.1", "G78",  "G92.1", "G92.2", "G165",  "G166",  "G211"}) {
+    EXPECT_EQ(lines("Z1\n" + std::string(code) + " X1\nZ2"),
+              (Lines{"rapid z1", "not-covered b2 " + std::string(code)}));
+  }
+}
+
 TEST(Words, EveryCodeOfTheOutsideListIsNotCoveredByItsName) {
   const auto codes = outside_codes(*find_dialect("gsk988ta")->descriptor);
   ASSERT_FALSE(codes.empty());
