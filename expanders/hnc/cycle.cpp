@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expanders/hnc/machine.hpp"
 
+#include <utility>
+
 namespace gonogo::expanders::hnc {
 namespace {
 
@@ -41,6 +43,23 @@ CycleEnd cycle_end(Machine& machine, const Block& block, bool needs_x, bool need
   if (needs_x) end.x = coordinate(machine, block, GONOGO_X);
   if (needs_z) end.z = coordinate(machine, block, GONOGO_Z);
   return end;
+}
+
+void take_up_words(Machine& machine, Motion before, const CycleStore& left) {
+  State& state = machine.state;
+  if (before == Motion::kThread && left.lead != 0) state.line_lead = left.lead;
+  if (state.motion == Motion::kThread && machine.follows("hnc.g32.lead=kept"_reading)) {
+    state.store.lead = state.line_lead;
+  }
+  if (is_cycle(before)) {
+    state.kept_of = is_cycle(state.motion) ? Motion::kRapid : before;
+    state.kept = left;
+    state.kept.feed = 0;  // reading hnc.modal.f has it
+    state.kept.end_x = state.kept.end_z = {};
+  } else if (is_cycle(state.motion)) {
+    const bool is_same = std::exchange(state.kept_of, Motion::kRapid) == state.motion;
+    if (is_same && machine.follows("hnc.modal.words=kept"_reading)) state.store = state.kept;
+  }
 }
 
 void keep_end(Machine& machine, const CycleEnd& end) {

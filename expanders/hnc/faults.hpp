@@ -92,8 +92,6 @@ inline constexpr auto kFaults = std::to_array<FaultDescription>({
      "radius word passed through the diameter conversion"},
     {"revolution-ignored", "G95 leaves the feed in mm a minute", "HNC-COM-01",
      "feed mode read at power-on only"},
-    {"dwell-in-seconds", "P of G04 is taken as seconds", "HNC-COM-01",
-     "unit of another maker's dwell"},
     {"inch-feed", "F is not converted from inches", "HNC-COM-01", "factor 25.4 missing"},
     {"late-alarm", "G82 moves to B before it checks its run-out", "HNC-G82-04",
      "checks in the interpolator instead of the interpreter"},

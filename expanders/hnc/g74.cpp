@@ -14,6 +14,8 @@ void prepare_drill(Machine& machine, const Block& block, Plan& plan) {
   const bool takes_x = machine.follows("hnc.g74.x=first"_reading);
   const Fixed x = takes_x ? target(machine, block, GONOGO_X) : end.x;
   if (machine.in_alarm()) return;
+  prepare_approach(machine, machine.follows("hnc.g74.mode3=on"_reading), pecks);
+  if (machine.in_alarm()) return;
   keep_end(machine, end);
   plan = [&machine, pecks, x] {
     if (!machine.tracer.rapid_axis(GONOGO_X, x)) return false;

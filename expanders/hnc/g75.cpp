@@ -7,8 +7,6 @@ namespace {
 
 struct Groove {
   Pecks pecks;
-  bool approached = false;  ///< rapid down to `approach` first
-  Fixed approach = 0;
   Fixed width = 0;  ///< signed
   Fixed steps = 0;  ///< the count; 0: a single groove
 };
@@ -35,18 +33,6 @@ void prepare_width(Machine& machine, const Block& block, char address, const Cyc
   if (!steps.present) return machine.complain(AlarmKind::kMissingWord, address, kNowhere);
   groove.steps = steps.value / kOne;
   groove.width = end.z - machine.state.position[GONOGO_Z];
-}
-
-// Reading hnc.g75.mode3: X is where the cut begins, dK how far it goes on.
-void prepare_approach(Machine& machine, const CycleEnd& end, Groove& groove) {
-  const CycleStore& store = machine.state.store;
-  const bool straight = groove.pecks.withdrawal == 0;
-  if (!machine.follows("hnc.g75.mode3=on"_reading) || !straight || !store.infeed.present) return;
-  const int inwards = sign_of(end.x - machine.state.position[GONOGO_X]);
-  if (inwards == 0) return machine.complain(AlarmKind::kDirectionConflict);
-  groove.approached = true;
-  groove.approach = end.x;
-  groove.pecks.bottom = moved(machine, end.x, inwards * store.infeed.value);
 }
 
 // HNC-G75-04: A_Z + n W / I, each place rounded once from the exact quotient.
@@ -92,7 +78,6 @@ class Places {
 // Down, and straight out to where it began.
 bool plunge(Machine& machine, const Groove& groove) {
   const Fixed out = machine.state.position[GONOGO_X];
-  if (groove.approached && !machine.tracer.rapid_axis(GONOGO_X, groove.approach)) return false;
   return perform_pecks(machine, groove.pecks) && machine.tracer.rapid_axis(GONOGO_X, out);
 }
 
@@ -125,7 +110,7 @@ void prepare_groove(Machine& machine, const Block& block, Plan& plan) {
   prepare_width(machine, block, count, end, groove);
   prepare_pecks(machine, block, groove.pecks);
   if (machine.in_alarm()) return;
-  prepare_approach(machine, end, groove);
+  prepare_approach(machine, wide && machine.follows("hnc.g75.mode3=on"_reading), groove.pecks);
   if (machine.in_alarm()) return;
   keep_end(machine, end);
   plan = [&machine, groove] { return perform(machine, groove); };

@@ -39,8 +39,11 @@ void take_words(Machine& machine, const Block& block) {
   // HNC-COM-01
   if (block.has('C') && store.starts.value < 0) machine.complain(AlarmKind::kValueSign, 'C', block);
   if (block.has_fraction('C')) machine.complain(AlarmKind::kNotAnInteger, 'C', block);
-  // HNC-G82-05
-  if (block.has('Q') && block.number('Q').value < 0) {
+  if (!block.has('Q')) return;
+  // HNC-G82-05; reading hnc.g82.q: a control before 7.11 lacks the word.
+  if (machine.follows("hnc.g82.q=alarm"_reading)) {
+    machine.complain(AlarmKind::kUndefinedCode, 'Q', block);
+  } else if (block.number('Q').value < 0) {
     machine.complain(AlarmKind::kValueSign, 'Q', block);
   }
 }

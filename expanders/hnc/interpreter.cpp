@@ -204,6 +204,7 @@ void Interpreter::take_motion() {
   const CycleStore left = state.store;
   state.store = {};
   state.motion = coming;
+  take_up_words(machine_, before, left);
   const bool plain = coming == Motion::kRapid || coming == Motion::kLine;
   const bool was_plain = before == Motion::kRapid || before == Motion::kLine;
   if (machine_.has("taper-leaks-past-rapid"_fault) && (plain || was_plain)) {

@@ -70,6 +70,9 @@ struct State {
   Motion motion = Motion::kRapid;
   bool named = false;  // the block has the code of the motion
   CycleStore store;
+  Motion kept_of = Motion::kRapid;  // the cycle that may take up `kept` again; no cycle: none
+  CycleStore kept;
+  Fixed line_lead = 0;  // the last of G32
 };
 
 /// What every code works on.
@@ -138,6 +141,9 @@ bool is_idle(const Machine& machine, const Block& block, bool needs_x, bool need
 /// The coordinates that a running cycle block commands; those that it does not need are the
 /// position's (HNC-MOD-03). Complains about what is missing.
 CycleEnd cycle_end(Machine& machine, const Block& block, bool needs_x, bool needs_z);
+/// The command has changed, from `before` with what it had stored: takes up what the readings keep
+/// through other codes.
+void take_up_words(Machine& machine, Motion before, const CycleStore& left);
 /// Keeps C for blocks that leave a coordinate out.
 void keep_end(Machine& machine, const CycleEnd& end);
 /// The feed of a cycle; complains when there is none in force (HNC-COM-01, HNC-MOD-04).
@@ -156,12 +162,17 @@ struct Pecks {
   Fixed infeed = 0;      ///< dK, when there is a withdrawal
   Fixed withdrawal = 0;  ///< e; 0: straight to the bottom
   Feed feed;
+  bool approached = false;  ///< rapid down to `approach` first
+  Fixed approach = 0;
 };
 
 /// Takes in R and Q of G74 and G75 (HNC-G74-01). `halved`: they are diameter values.
 void take_pecks(Machine& machine, const Block& block, bool halved);
 /// Fills in how the pecks of a running block go, from what is in force.
 void prepare_pecks(Machine& machine, const Block& block, Pecks& pecks);
+/// Mode 3, where the reading of the cycle is on and dK is in force: the end point is where the cut
+/// begins, dK how far it goes on.
+void prepare_approach(Machine& machine, bool is_on, Pecks& pecks);
 /// From the position to the bottom, with withdrawals between (HNC-G74-02).
 bool perform_pecks(Machine& machine, const Pecks& pecks);
 

@@ -4,12 +4,12 @@
 
 namespace gonogo::expanders::hnc {
 
-// P milliseconds; nothing else of the block counts.
+// P milliseconds or seconds; nothing else of the block counts.
 void prepare_dwell(Machine& machine, const Block& block, Plan& plan) {
   if (!block.has('P')) return machine.complain(AlarmKind::kMissingWord, 'P', kNowhere);
   const Fixed written = block.number('P').value;
   if (written < 0) return machine.complain(AlarmKind::kValueSign, 'P', block);
-  const Fixed parts = machine.has("dwell-in-seconds"_fault) ? 1 : 1000;
+  const Fixed parts = machine.follows("hnc.dwell.unit=s"_reading) ? 1 : 1000;
   plan = [&machine, seconds = static_cast<Fixed>(scaled(written, 1, parts))] {
     return machine.tracer.dwell(seconds);
   };

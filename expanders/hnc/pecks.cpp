@@ -145,7 +145,18 @@ void prepare_pecks(Machine& machine, const Block& block, Pecks& pecks) {
   }
 }
 
+void prepare_approach(Machine& machine, bool is_on, Pecks& pecks) {
+  const Retained& infeed = machine.state.store.infeed;
+  if (!is_on || pecks.withdrawal != 0 || !infeed.present) return;
+  const int inwards = sign_of(pecks.bottom - machine.state.position[pecks.axis]);
+  if (inwards == 0) return machine.complain(AlarmKind::kDirectionConflict);
+  pecks.approached = true;
+  pecks.approach = pecks.bottom;
+  pecks.bottom = moved(machine, pecks.approach, inwards * infeed.value);
+}
+
 bool perform_pecks(Machine& machine, const Pecks& pecks) {
+  if (pecks.approached && !machine.tracer.rapid_axis(pecks.axis, pecks.approach)) return false;
   if (pecks.withdrawal == 0) {
     return machine.tracer.feed_axis(pecks.axis, pecks.bottom, pecks.feed);
   }

@@ -12,13 +12,19 @@ bool HncWriter::counts_from_withdrawn() const {
   return profile_.readings.is("hnc.peck.from=withdrawn"_reading);
 }
 
+bool HncWriter::keeps_words() const {
+  return profile_.readings.is("hnc.modal.words=kept"_reading);
+}
+
 // Q and R. The depth of a peck is a quarter of a unit at least, so that no fault makes pecks
 // without number.
 void HncWriter::peck_words(Words& words, bool entry) {
   const bool fresh = peck_ == 0 || choices_.one_in(3);
+  // Words of before another motion code may be in force: both are written.
+  const bool anew = entry && keeps_words();
   if (fresh) {
     peck_ = unit() / 4 + length(4);
-    if (choices_.below(20) != 0 || tiny_) words.push_back(word('Q', peck_));
+    if (anew || choices_.below(20) != 0 || tiny_) words.push_back(word('Q', peck_));
     tiny_ = false;
   }
   // Where pecks count from the withdrawn point, what they gain must not be tiny.
@@ -26,7 +32,7 @@ void HncWriter::peck_words(Words& words, bool entry) {
   if (!entry && !gains && !choices_.one_in(3)) return;
   switch (choices_.below(8)) {
     case 0:
-      if (!gains) return;
+      if (!gains && !anew) return;
       [[fallthrough]];
     case 1:
       withdrawal_ = 0;

@@ -82,7 +82,10 @@ void HncWriter::thread_block() {
   }
   if (choices_.one_in(2)) start_words(words);
   lead_words(words, entry);
-  if (choices_.one_in(8)) words.push_back(fmt::format("Q{}", choices_.below(100)));
+  const bool lacks_q = profile_.readings.is("hnc.g82.q=alarm"_reading);
+  if (choices_.one_in(8) && (!lacks_q || errs(4))) {
+    words.push_back(fmt::format("Q{}", choices_.below(100)));
+  }
   if (choices_.one_in(20)) words.push_back("A3");
   write(std::move(words));
 }

@@ -91,7 +91,9 @@ bool HncWriter::may_have(Fault fault, const std::string& word) const {
     return address != 'I' && address != 'K';
   }
   // A peck of a few increments from the block before would go all the way.
-  if (pecks && fault == Fault::missing) return address == 'R' || address == 'F';
+  if (pecks && fault == Fault::missing) {
+    return address == 'F' || (address == 'R' && !keeps_words());
+  }
   if (fault == Fault::zero) {
     return !pecks || !counts_from_withdrawn() || address == 'R';
   }

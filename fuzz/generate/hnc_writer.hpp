@@ -57,6 +57,7 @@ class HncWriter final : ProgramWriter {
   void bottom_word(Words& words, Axis axis, bool entry);
   void width_words(Words& words);
   bool counts_from_withdrawn() const;
+  bool keeps_words() const;
 
   // Words. Lengths are in least increments; values are lengths as a word of the axis counts them.
   std::int64_t any_sign(std::int64_t length) { return choices_.one_in(2) ? -length : length; }

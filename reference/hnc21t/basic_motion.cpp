@@ -95,7 +95,10 @@ void run_thread(BlockContext& block) {
   Position to;
   const AxisSet axes = commanded_end_point(block, to);
   if (axes.empty()) return;
-  if (!block.machine.command.lead) {
+  std::optional<Lead>& lead = block.machine.command.lead;
+  const std::optional<Lead>& earlier = block.machine.line_lead;
+  if (!lead && earlier && block.readings.is("hnc.g32.lead=kept"_reading)) lead = earlier;
+  if (!lead) {
     block.alarm(AlarmClass::lead_missing, "HNC-MOD-04"_clause, 'F',
                 "The block cuts a thread, but no lead is in force.");
     return;
@@ -105,7 +108,7 @@ void run_thread(BlockContext& block) {
   block.put(std::move(thread));
 }
 
-// G04: P in milliseconds.
+// G04: in which unit P is, is open.
 void run_dwell(BlockContext& block) {
   if (!block.words.has('P')) {
     block.missing("HNC-COM-04"_clause, 'P');
@@ -115,11 +118,14 @@ void run_dwell(BlockContext& block) {
   record.kind = RecordKind::dwell;
   record.block = block.line;
   record.clause = "HNC-COM-01"_clause;
-  record.seconds = block.words.written('P') / 1000;
-  if (decided("HNC-COM-04"_clause, "P", record.seconds) < 0) {
+  const Number& written = block.words.written('P');
+  const int sign = decided("HNC-COM-04"_clause, "P", written);
+  if (sign < 0) {
     block.alarm(AlarmClass::value_sign, "HNC-COM-04"_clause, 'P',
-                with_values("A dwell of {} s is negative.", {record.seconds}));
+                with_values("The dwell P{} is negative.", {written}));
   }
+  const bool in_milliseconds = sign <= 0 || block.readings.is("hnc.dwell.unit=ms"_reading);
+  record.seconds = in_milliseconds ? written / 1000 : written;
   block.put(std::move(record));
 }
 

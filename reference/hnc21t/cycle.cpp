@@ -4,11 +4,58 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "reference/clause_literal.hpp"
 #include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::hnc21t {
+
+bool CommandWords::complete_from(const CommandWords& earlier) {
+  bool lacks_any = false;
+  const auto complete = [&](auto& word, const auto& before) {
+    if (word || !before) return;
+    word = before;
+    lacks_any = true;
+  };
+  complete(i, earlier.i);
+  complete(k, earlier.k);
+  complete(c, earlier.c);
+  complete(p, earlier.p);
+  complete(r, earlier.r);
+  complete(e, earlier.e);
+  complete(q, earlier.q);
+  complete(lead, earlier.lead);
+  return lacks_any;
+}
+
+// HNC-MOD-05: whether words live on through a code outside the group is asked where they are used.
+void change_command(Machine& machine, int motion) {
+  if (is_cycle(machine.motion) && !is_cycle(motion)) {
+    if (machine.ended != 0) machine.command.complete_from(machine.ended_words);
+    machine.ended = machine.motion;
+    machine.ended_words = std::move(machine.command);
+  } else if (is_cycle(motion) && (is_cycle(machine.motion) || machine.ended != motion)) {
+    machine.ended = 0;
+  }
+  machine.motion = motion;
+  machine.command = {};
+}
+
+namespace {
+
+// HNC-MOD-05: the block cuts with the words of the same cycle before another motion code, or
+// without them.
+void take_ended_words(BlockContext& block) {
+  Machine& machine = block.machine;
+  if (machine.ended == 0 || !block.words.has_axis_word()) return;
+  machine.ended = 0;
+  CommandWords completed = machine.command;
+  if (!completed.complete_from(machine.ended_words)) return;
+  if (block.readings.is("hnc.modal.words=kept"_reading)) machine.command = std::move(completed);
+}
+
+}  // namespace
 
 void take_command_words(BlockContext& block) {
   const BlockWords& words = block.words;
@@ -30,6 +77,7 @@ void take_command_words(BlockContext& block) {
   } else if (auto i = words.length('I')) {
     command.i = i;
   }
+  take_ended_words(block);
 }
 
 namespace {

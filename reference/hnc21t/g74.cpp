@@ -2,7 +2,7 @@
 //
 // G74, deep drilling of the face: from A, where the tool stands, along Z to the bottom of the hole
 // and back. HNC-G74-04: X and U have no effect, or as a reading says the tool is positioned there
-// first; of the three ways that the text announces it describes two.
+// first. The text announces three ways and has lost the third: hnc.g74.mode3 has it as in G75.
 #include "reference/clause_literal.hpp"
 #include "reference/hnc21t/pecking.hpp"
 #include "reference/reading_literal.hpp"

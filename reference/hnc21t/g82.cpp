@@ -2,7 +2,7 @@
 //
 // G82, the thread cutting cycle: straight and taper, with a run-out, with several starts. From A,
 // where the tool stands, to B, along the thread to C, out and back. HNC-G82-10: feed hold and the
-// acceleration constant Q change nothing in the path.
+// acceleration constant Q change nothing in the path; older controls lack the word.
 #include <fmt/format.h>
 
 #include "reference/clause_literal.hpp"
@@ -14,14 +14,24 @@
 namespace gonogo::reference::hnc21t {
 namespace {
 
-// HNC-G82-05, HNC-G82-06: Q and the number of starts, in every block that writes them.
-void check_thread_words(BlockContext& block) {
+// HNC-G82-05, HNC-G82-10
+void check_constant(BlockContext& block) {
   const BlockWords& words = block.words;
-  if (words.has('Q') && decided("HNC-G82-05"_clause, "Q", words.written('Q')) < 0) {
+  if (!words.has('Q')) return;
+  if (block.readings.is("hnc.g82.q=alarm"_reading)) {
+    block.alarm(AlarmClass::undefined_code, "HNC-G82-10"_clause, 'Q',
+                "A control before the versions 7.11 and 4.03 has no word Q of G82.");
+  } else if (decided("HNC-G82-05"_clause, "Q", words.written('Q')) < 0) {
     block.alarm(AlarmClass::value_sign, "HNC-G82-05"_clause, 'Q',
                 with_values("The acceleration constant Q of the run-out, {}, is negative.",
                             {words.written('Q')}));
   }
+}
+
+// HNC-G82-05, HNC-G82-06: Q and the number of starts, in every block that writes them.
+void check_thread_words(BlockContext& block) {
+  const BlockWords& words = block.words;
+  check_constant(block);
   if (!words.has('C')) return;
   const Number starts = words.written('C');
   if (decided("HNC-G82-06"_clause, "C", starts) < 0) {

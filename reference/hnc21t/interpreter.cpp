@@ -11,6 +11,7 @@
 
 #include "reference/clause_literal.hpp"
 #include "reference/hnc21t/cycle.hpp"
+#include "reference/hnc21t/other_classes.hpp"
 #include "reference/hnc21t/word_use.hpp"
 #include "reference/reading_literal.hpp"
 
@@ -87,10 +88,10 @@ void Interpreter::take_motion_code(const BlockCodes& codes) {
   if (codes.motion < 0) return;
   // HNC-MOD-01, HNC-MOD-05: its words are forgotten; whether the same code again does so is open.
   const bool is_same = codes.motion == machine_.motion;
-  const bool may_keep = is_same && (!is_cycle(codes.motion) || machine_.command.empty());
+  const bool holds_none = machine_.command.empty() && machine_.ended == 0;
+  const bool may_keep = is_same && (!is_cycle(codes.motion) || holds_none);
   if (may_keep || (is_same && readings_.is("hnc.rewrite=keep"_reading))) return;
-  machine_.motion = codes.motion;
-  machine_.command = {};
+  change_command(machine_, codes.motion);
 }
 
 // F of an earlier block where the units change, or the feed between minutes and revolutions.
@@ -134,6 +135,7 @@ void Interpreter::take_lead(const BlockWords& words, BlockOutput& out) {
     lead = Lead{words.written('F'), machine_.modes.inch ? f_under_g20 : millimetres};
   }
   if (words.has('J')) lead = Lead{words.written('J'), j};
+  if (lead && machine_.motion == 32) machine_.line_lead = lead;
 }
 
 // HNC-MOD-05: Y and V are no words of the cycles; anywhere else they are those of a mill program.
@@ -281,6 +283,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   }
   // What is not covered goes before what is wrong.
   if (out.not_covered) out.alarms.clear();
+  admit_other_classes(words, out.alarms);
   sort_by_place(out.alarms);
 }
 

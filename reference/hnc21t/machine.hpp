@@ -15,7 +15,7 @@ namespace gonogo::reference::hnc21t {
 constexpr bool is_cycle(int motion) {
   return motion == 74 || motion == 75 || (motion >= 80 && motion <= 82);
 }
-// Those whose F is a lead.
+// Whether F is a lead.
 constexpr bool cuts_thread(int motion) {
   return motion == 32 || motion == 82;
 }
@@ -53,6 +53,9 @@ struct CommandWords {
   bool empty() const {
     return !i && !k && !c && !p && !r && !e && !q && !lead && !feed && !end_x && !end_z;
   }
+  // Takes what it lacks of the words of an earlier command, but no feed and no end point. Whether
+  // it lacks any.
+  bool complete_from(const CommandWords& earlier);
 };
 
 // Positions are in the base frame: the work offset in force is added to absolute words.
@@ -62,6 +65,11 @@ struct Machine : MotionState {
   int offset = -1;                  // its place; -1: none commanded yet
   int motion = 0;                   // 0, 1, 2, 3, 32, 74, 75, 80, 81, 82
   CommandWords command;
+  // HNC-MOD-05: the cycle that a code outside the group has ended, until its words are taken up
+  // again or another cycle comes (0: none), and what it retained.
+  int ended = 0;
+  CommandWords ended_words;
+  std::optional<Lead> line_lead;  // HNC-MOD-04: the last of G32
   // HNC-MOD-04: the last F that is no lead, and the last of those outside the cycles.
   std::optional<Number> latest_feed;
   std::optional<Number> plain_feed;

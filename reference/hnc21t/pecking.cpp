@@ -84,22 +84,31 @@ void plan_pecks(BlockContext& block, Plunge& plunge, const PlungeClauses& clause
   limit_pecks(block, plunge);
 }
 
-// A traverse to X and dK further at the feed.
+// Whether the block may go the third way: of G75 the text has it for a groove with a width, of G74
+// it has its number alone.
+bool goes_third_way(const BlockContext& block, Axis axis) {
+  if (!is_positive(block.machine.command.q)) return false;
+  if (axis == Axis::z) return block.readings.is("hnc.g74.mode3=on"_reading);
+  return block.words.has(kZ) && block.readings.is("hnc.g75.mode3=on"_reading);
+}
+
+// A traverse to X, or Z of a hole, and dK further at the feed.
 void plan_approach(BlockContext& block, Plunge& plunge, const PlungeClauses& clauses) {
-  if (!is_positive(block.machine.command.q) || !block.readings.is("hnc.g75.mode3=on"_reading)) {
-    return;
-  }
+  if (!goes_third_way(block, plunge.axis)) return;
+  const bool along_x = plunge.axis == Axis::x;
   if (plunge.direction == 0) {
     block.alarm(
-        AlarmClass::direction_conflict, clauses.straight, 'X',
-        with_values("X is where the tool stands, at the radius {} mm: there is no direction "
-                    "to plunge in.",
+        AlarmClass::direction_conflict, clauses.straight, addresses_of(plunge.axis).absolute,
+        with_values(along_x ? "X is where the tool stands, at the radius {} mm: there is no "
+                              "direction to plunge in."
+                            : "Z is where the tool stands, at {} mm: there is no direction to "
+                              "drill in.",
                     {plunge.bottom}));
     return;
   }
   const CommandWords& command = block.machine.command;
   const bool halves =
-      command.q->diameter && block.readings.is("hnc.g75.depth-scale=diameter"_reading);
+      along_x && command.q->diameter && block.readings.is("hnc.g75.depth-scale=diameter"_reading);
   const Number step = halves ? command.q->value / 2 : command.q->value;
   plunge.approach = plunge.bottom;
   plunge.bottom += step * plunge.direction;
@@ -147,7 +156,7 @@ Plunge plan_plunge(BlockContext& block, Axis axis, const Number& bottom,
                 .approach = {}};
   const CommandWords& command = block.machine.command;
   if (!is_positive(command.r)) {
-    if (axis == Axis::x) plan_approach(block, plunge, clauses);
+    plan_approach(block, plunge, clauses);
   } else if (!command.q) {
     block.missing("HNC-G74-05"_clause, 'Q');
   } else if (is_positive(command.q)) {

@@ -27,7 +27,7 @@ struct Plunge {
   bool from_withdrawn = false;     // hnc.peck.from = withdrawn
   bool clamped = false;            // hnc.peck.clamp = start
   bool withdraws_at_feed = false;  // hnc.peck.withdraw = feed
-  std::optional<Number> approach;  // hnc.g75.mode3 = on: a traverse to here first
+  std::optional<Number> approach;  // hnc.g74.mode3, hnc.g75.mode3 = on: a traverse to here first
 
   // Where peck k (from 1) ends except for the last one, and the withdrawal after it. Closed forms,
   // so that the millionth is as exact as the first.

@@ -9,7 +9,7 @@ namespace gonogo::reference::hnc21t {
 
 // Whether the code that the block runs looks at the word; null: it runs none.
 bool uses_word(const Code* code, char address);
-// The same, or a rule passes it over; else it is not covered.
+// The same, or a rule ignores the word; else it is not covered.
 bool reads_word(const Code* code, char address);
 
 }  // namespace gonogo::reference::hnc21t

@@ -20,7 +20,8 @@ TEST(HncConfiguration, DefaultsMayBeWrittenOut) {
     "hnc.g75.steps":"i-plus-1","hnc.g75.end":"start","hnc.g75.mode3":"off",
     "hnc.g75.depth-scale":"radius","hnc.offset.initial":"G54","hnc.lead.unit":"mm",
     "hnc.arc.zero-radius":"alarm","hnc.rewrite":"keep","hnc.empty-block":"none",
-    "hnc.g74.x":"none","hnc.g75.zero-width":"each","hnc.g82.order":"rising",
+    "hnc.g74.x":"none","hnc.g74.mode3":"off","hnc.modal.words":"forgotten",
+    "hnc.g32.lead":"alarm","hnc.g82.q":"read","hnc.g75.zero-width":"each","hnc.g82.order":"rising",
     "hnc.feed-units":"length","hnc.feed-change":"kept"}})"),
             GONOGO_OK);
 }
@@ -32,7 +33,8 @@ TEST(HncConfiguration, EveryReadingMayBeAny) {
         "hnc.peck.withdraw",   "hnc.g75.steps",      "hnc.g75.end",     "hnc.g75.mode3",
         "hnc.g75.depth-scale", "hnc.offset.initial", "hnc.lead.unit",   "hnc.arc.zero-radius",
         "hnc.rewrite",         "hnc.empty-block",    "hnc.g74.x",       "hnc.g75.zero-width",
-        "hnc.g82.order",       "hnc.feed-units",     "hnc.feed-change"}) {
+        "hnc.g82.order",       "hnc.feed-units",     "hnc.feed-change", "hnc.g74.mode3",
+        "hnc.modal.words",     "hnc.g32.lead",       "hnc.g82.q"}) {
     EXPECT_EQ(create_hnc(R"({"readings":{")" + std::string(key) + R"(":"any"}})"), GONOGO_OK)
         << key;
   }

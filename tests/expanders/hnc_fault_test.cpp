@@ -65,7 +65,6 @@ const ProfiledFaultExample kHncFaultExamples[] = {
     {"increment-as-diameter", "G37 G00 U2\n"},
     {"centre-as-diameter", "G02 X10 Z5 I5 F9\n"},
     {"revolution-ignored", "G95 G01 X2 F0.1\n"},
-    {"dwell-in-seconds", "G04 P500\n"},
     {"inch-feed", "G20 G01 X1 F9\n"},
     {"late-alarm", "G82 X-4 Z-5 R-1 E21 F2\n"},
     {"alarm-next-block", "G999\n"},

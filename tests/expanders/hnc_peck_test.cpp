@@ -122,6 +122,18 @@ TEST(HncG74, WithdrawalsAtFeed) {
       path('z', {"F-1", "F-0.5", "F-2", "R0"}));
 }
 
+// To Z-17 at rapid, 6 further, and out to Z2.
+TEST(HncG74, ApproachMode) {
+  const char* on = R"({"readings":{"hnc.g74.mode3":"on"}})";
+  EXPECT_EQ(after_first(run_hnc("G00 Z2\nG74 Z-17 Q6 F50\n", on)),
+            path('z', {"R-17", "F-23", "R2"}));
+  EXPECT_EQ(run_hnc("G74 W7 R0 Q3 F50\n", on).motions(), path('z', {"R7", "F10", "R0"}));
+  EXPECT_EQ(run_hnc("G74 Z-17 F50\n", on).motions(), path('z', {"F-17", "R0"}));
+  EXPECT_EQ(run_hnc("G74 Z-2 R0.5 Q1 F50\n", on).motions(),
+            path('z', {"F-1", "R-0.5", "F-2", "R0"}));
+  EXPECT_EQ(run_hnc("G74 Z0 Q6 F50\n", on).alarm, "direction-conflict");
+}
+
 constexpr const char* kAtFifty = "G00 X50 Z-20\n";
 
 TEST(HncG75, SingleGroove) {
@@ -171,9 +183,12 @@ TEST(HncG75, ApproachMode) {
   EXPECT_EQ(after_first(run_hnc(std::string(kAtFifty) + "G75 X34 Z-26 Q2 I3 F50\n", on)),
             plunge + "rapid z=-22\n" + plunge + "rapid z=-24\n" + plunge + "rapid z=-26\n" +
                 plunge + "rapid z=-20\n");
-  EXPECT_EQ(after_first(run_hnc("G00 X30\nG75 X34 Q2 F50\n", on)),
-            path('x', {"R17", "F19", "R15"}));
-  EXPECT_EQ(run_hnc("G75 X0 Q2 F50\n", on).alarm, "direction-conflict");
+  // A bore, and no width beside a depth.
+  EXPECT_EQ(after_first(run_hnc("G00 X30\nG75 X34 W0 Q2 I1 F50\n", on)),
+            path('x', {"R17", "F19", "R15", "R17", "F19", "R15"}));
+  EXPECT_EQ(run_hnc("G75 X0 Z-1 Q2 I1 F50\n", on).alarm, "direction-conflict");
+  EXPECT_EQ(after_first(run_hnc("G00 X30\nG75 X34 Q2 F50\n", on)), path('x', {"F17", "R15"}));
+  EXPECT_EQ(run_hnc("G75 X0 Q2 F50\n", on).alarm, "");
   EXPECT_EQ(run_hnc("G75 X-2 F50\n", on).motions(), path('x', {"F-1", "R0"}));
 }
 

@@ -21,6 +21,50 @@ TEST(HncReading, Rewrite) {
   EXPECT_EQ(run_as("hnc.rewrite", "clear", thread).alarm, "lead-missing");
 }
 
+TEST(HncReading, ModalWords) {
+  const std::string turn = "G80 X20 Z-10 I-5 F50\n";
+  const auto fifth = [](const char* value, const std::string& program) {
+    return run_as("hnc.modal.words", value, program).records[4];
+  };
+  for (const char* code : {"G00", "G01", "G32", "G00\nG80 F50\nG01"}) {
+    const std::string program = turn + code + "\nG80 X20 Z-10\n";
+    EXPECT_EQ(fifth("forgotten", program), "rapid x=10") << code;
+    EXPECT_EQ(fifth("kept", program), "rapid x=5") << code;
+  }
+  EXPECT_EQ(fifth("kept", turn + "G00\nG80 X20 Z-10 I-4\n"), "rapid x=6");
+  const std::string other = turn + "G00\nG81 X20 Z-10\nG00\nG80 X20 Z-10\n";
+  EXPECT_EQ(run_as("hnc.modal.words", "kept", other).records[4], "rapid z=-10");
+  EXPECT_EQ(run_as("hnc.modal.words", "kept", other).records[8], "rapid x=10");
+  const std::string thread = "G82 X20 Z-10 F2\nG00\nG82 X20 Z-10\n";
+  EXPECT_EQ(run_as("hnc.modal.words", "forgotten", thread).alarm, "lead-missing");
+  EXPECT_EQ(run_as("hnc.modal.words", "kept", thread).answer, GONOGO_OK);
+  EXPECT_EQ(run_as("hnc.modal.words", "kept", turn + "G00\nG80 X18\n").alarm, "missing-word");
+}
+
+TEST(HncReading, LeadOfG32) {
+  for (const char* code : {"G00 Z0", "G01 Z0 F100", "G82 X20 Z-10 F3"}) {
+    const std::string program = std::string("G32 Z-10 F2\n") + code + "\nG32 Z-20\n";
+    EXPECT_EQ(run_as("hnc.g32.lead", "alarm", program).alarm, "lead-missing") << code;
+    EXPECT_NE(run_as("hnc.g32.lead", "kept", program).motions().find("thread z=-20 lead=2 start=0"),
+              std::string::npos)
+        << code;
+  }
+  EXPECT_EQ(run_as("hnc.g32.lead", "kept", "G01 Z-10 F2\nG32 Z-20\n").alarm, "lead-missing");
+}
+
+TEST(HncReading, ConstantOfTheRunOut) {
+  const std::string thread = "G82 X20 Z-10 R-1 E1 F2";
+  EXPECT_EQ(run_as("hnc.g82.q", "alarm", thread + "\n").answer, GONOGO_OK);
+  EXPECT_EQ(run_as("hnc.g82.q", "read", thread + " Q20\n").answer, GONOGO_OK);
+  EXPECT_EQ(run_as("hnc.g82.q", "read", thread + " Q-1\n").alarm, "value-sign");
+  for (const char* word : {" Q20\n", " Q-1\n"}) {
+    const Outcome refused = run_as("hnc.g82.q", "alarm", thread + word);
+    EXPECT_EQ(refused.alarm, "undefined-code") << word;
+    EXPECT_EQ(refused.alarm_word, 'Q') << word;
+  }
+  EXPECT_EQ(run_as("hnc.g82.q", "alarm", "G74 Z-10 R1 Q3 F50\n").answer, GONOGO_OK);
+}
+
 TEST(HncReading, EmptyBlock) {
   const std::string program = "G80 X20 Z-10 F50\nG80 F60\n";
   const std::string once = "rapid x=10\nfeed x=10 z=-10 f=50\nfeed x=0 f=50\nrapid z=0\n";

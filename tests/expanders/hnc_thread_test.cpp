@@ -157,6 +157,8 @@ TEST(HncG32, WordsWithoutAPathHere) {
   EXPECT_EQ(run_hnc("G32 Z-4 P1 F2\n").answer, GONOGO_UNSUPPORTED);
   EXPECT_EQ(run_hnc("G32 Z-4 R0 E0 P0 C0 Q0 K0 I0 F2\n").answer, GONOGO_OK);
   EXPECT_EQ(run_hnc("G32 Z-4 F2\nG04 P10\n").motions(), "thread z=-4 lead=2 start=0\ndwell 0.01\n");
+  EXPECT_EQ(run_hnc("G04 P2.5\n", R"({"readings":{"hnc.dwell.unit":"s"}})").motions(),
+            "dwell 2.5\n");
 }
 
 }  // namespace

@@ -32,6 +32,8 @@ TEST(HncBasic, ACutNeedsAFeed) {
 
 TEST(HncBasic, DwellsMilliseconds) {
   EXPECT_EQ(path("G04 P4000\nG04 P0.5"), (Lines{"dwell 4", "dwell 0.0005"}));
+  const Profile seconds = hnc({{"hnc.dwell.unit", "s"}});
+  EXPECT_EQ(path("G04 P4\nG04 P0.5", seconds), (Lines{"dwell 4", "dwell 0.5"}));
   EXPECT_EQ(ending_of("G04"), "alarm b1 missing-word");
   EXPECT_EQ(ending_of("G04 X5"), "not-covered b1 X");
   EXPECT_EQ(ending_of("G04 P0.5 Z99"), "not-covered b1 Z");

@@ -23,6 +23,59 @@ TEST(Command, AMotionCodeEndsACycleAndForgetsItsWords) {
   EXPECT_EQ(path("G80 X20 Z-10 F100\nG00 X40 Z1\nX30 Z2").at(5), "rapid x15 z2");
 }
 
+// B lies I before C, at a radius of 10.
+TEST(Command, WordsLiveOnThroughOtherMotionCodesUnderThatReading) {
+  const Profile kept = hnc({{"hnc.modal.words", "kept"}});
+  const std::string taper = "G80 X20 Z-10 I-5 F100\n";
+  for (const char* code : {"G00", "G01", "G02", "G03", "G32", "G00\nG80 F100\nG01"}) {
+    const Lines got = path(taper + code + "\nG80 X20 Z-10 F100", kept);
+    EXPECT_EQ(got.at(4), "rapid x5") << code;
+  }
+  EXPECT_EQ(path(taper + "G00\nG80 X20 Z-10 I-4 F100", kept).at(4), "rapid x6");
+  EXPECT_EQ(path("G74 Z-10 R1 Q6 F50\nG00\nG74 Z-8 F50", kept),
+            (Lines{"feed z-6 f50", "rapid z-5", "feed z-10 f50", "rapid z0", "feed z-6 f50",
+                   "rapid z-5", "feed z-8 f50", "rapid z0"}));
+  EXPECT_EQ(path("G75 X-10 Z-2 I1 F30\nG00\nG75 X-10 Z-4 F30", kept).at(8), "rapid z-4");
+  EXPECT_EQ(ending_of("G82 X20 Z-10 F3\nG00\nG82 X20 Z-10"), "alarm b3 lead-missing");
+  EXPECT_EQ(ending_of("G82 X20 Z-10 F3\nG00\nG82 X20 Z-10", kept), kEndAtOrigin);
+}
+
+TEST(Command, AnotherCycleForgetsThemUnderThatReadingToo) {
+  const Profile kept = hnc({{"hnc.modal.words", "kept"}});
+  const std::string taper = "G80 X20 Z-10 I-5 F100\n";
+  EXPECT_EQ(path(taper + "G81 X20 Z-10\nG80 X20 Z-10", kept).at(8), "rapid x10");
+  EXPECT_EQ(path(taper + "G00\nG81 X20 Z-10\nG00\nG80 X20 Z-10", kept).at(8), "rapid x10");
+  EXPECT_EQ(path("G82 X20 Z-10 I-5 F3\nG00\nG80 X20 Z-10 F100", kept).at(4), "rapid x10");
+  // The end point is no such word.
+  const Profile both = hnc({{"hnc.modal.words", "kept"}, {"hnc.missing-axis", "keep"}});
+  EXPECT_EQ(ending_of(taper + "G00\nG80 X18 F100", both), "alarm b3 missing-word");
+}
+
+TEST(Command, AsksForEarlierWordsOnlyWhereTheyAreLacking) {
+  const std::string taper = "G80 X20 Z-10 I-5 F100\n";
+  EXPECT_EQ(touched(taper + "G00\nG80 X20 Z-10 F100"), Lines{"hnc.modal.words"});
+  EXPECT_EQ(touched(taper + "G00\nG80 X20 Z-10 I-5 F100"), Lines{});
+  EXPECT_EQ(touched(taper + "G00\nG80 F100"), Lines{});
+  EXPECT_EQ(touched(taper + "G00\nG81 X20 Z-10 F100"), Lines{});
+  EXPECT_EQ(touched(taper + "X20 Z-10"), Lines{});
+  EXPECT_EQ(touched("G80 X20 Z-10 F100\nG00\nG80 X20 Z-10 F100"), Lines{});
+}
+
+TEST(Command, TheLeadOfG32StaysInForceBehindOtherCodesUnderItsReading) {
+  const Profile kept = hnc({{"hnc.g32.lead", "kept"}});
+  const std::string first = "G32 Z-10 F2\n";
+  for (const char* code : {"G00 Z0", "G01 Z0 F100", "G82 X20 Z-10 F3"}) {
+    const std::string program = first + code + "\nG32 Z-20";
+    EXPECT_EQ(ending_of(program), "alarm b3 lead-missing") << code;
+    EXPECT_EQ(path(program, kept).back(), "thread z-20 lead2 start0") << code;
+    EXPECT_EQ(path(program + " F1.5", kept).back(), "thread z-20 lead1.5 start0") << code;
+  }
+  EXPECT_EQ(ending_of("G01 Z-10 F2\nG32 Z-20", kept), "alarm b2 lead-missing");
+  EXPECT_EQ(touched(first + "G00 Z0\nG32 Z-10"), Lines{"hnc.g32.lead"});
+  EXPECT_EQ(touched(first + "G00 Z0\nG32 Z-10 F2"), Lines{});
+  EXPECT_EQ(touched("G32 Z-10"), Lines{});
+}
+
 TEST(Command, TheSameCodeAgainIsNoChange) {
   EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG80 X20 Z-10").at(4), "rapid x5");
 }

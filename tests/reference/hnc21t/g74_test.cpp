@@ -142,8 +142,24 @@ TEST(G74, MayWithdrawAboveA) {
             along_z({"F-5", "R0", "F-10", "R-2", "F-15", "R0"}, "50"));
 }
 
+// To Z-17 at a traverse, then 6 further; from A the other way to 7, then 3 further.
+TEST(G74, ApproachesAtATraverseUnderItsReading) {
+  const Profile on = hnc({{"hnc.g74.mode3", "on"}});
+  const Lines want = along_z({"R-17", "F-23", "R2"}, "50");
+  EXPECT_EQ(cycle("G00 X0 Z2", "G74 Z-17 Q6 F50", on), want);
+  EXPECT_EQ(cycle("G00 X0 Z2", "G74 W-19 R0 Q6 F50", on), want);
+  EXPECT_EQ(path("G74 Z7 Q3 F50", on), along_z({"R7", "F10", "R0"}, "50"));
+  EXPECT_EQ(path("G74 Z-10 Q6 F50\nZ-8", on),
+            along_z({"R-10", "F-16", "R0", "R-8", "F-14", "R0"}, "50"));
+  EXPECT_EQ(ending_of("G74 Z0 Q6 F50", on), "alarm b1 direction-conflict");
+  // Without a depth of a peck, and with a withdrawal, it is as before.
+  EXPECT_EQ(path("G74 Z-17 F50", on), along_z({"F-17", "R0"}, "50"));
+  EXPECT_EQ(path("G74 Z-10 R1 Q6 F50", on), along_z({"F-6", "R-5", "F-10", "R0"}, "50"));
+}
+
 TEST(G74, AsksItsReadingsOnlyWhereTheyMatter) {
-  EXPECT_EQ(touched("G74 Z-10 Q5 F50"), Lines{});
+  EXPECT_EQ(touched("G74 Z-10 F50"), Lines{});
+  EXPECT_EQ(touched("G74 Z-10 Q5 F50"), Lines{"hnc.g74.mode3"});
   EXPECT_EQ(touched("G74 Z-5 R1 Q5 F50"), Lines{});
   EXPECT_EQ(touched("G74 Z-9 R1 Q5 F50"), Lines{"hnc.peck.withdraw"});  // 2 Q - R
   EXPECT_EQ(touched("G74 Z-9.001 R1 Q5 F50"), (Lines{"hnc.peck.from", "hnc.peck.withdraw"}));

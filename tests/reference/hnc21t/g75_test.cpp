@@ -168,7 +168,18 @@ TEST(G75, ApproachesAtATraverseUnderItsReading) {
                     "z-26", "R34", "F30", "R50", "z-20"}));
   EXPECT_EQ(cycle("G00 X50 Z-20", "G75 X34 F30", on), groove({"F34", "R50"}));
   EXPECT_EQ(cycle("G00 X50 Z-20", "G75 X34 R1 Q100 F30", on), groove({"F34", "R50"}));
-  EXPECT_EQ(ending_of("G00 X50 Z-20\nG75 X50 Q2 F30", on), "alarm b2 direction-conflict");
+  EXPECT_EQ(ending_of("G00 X50 Z-20\nG75 X50 Z-26 Q2 I3 F30", on), "alarm b2 direction-conflict");
+}
+
+// The text has the third way for a groove with a width: no traverse to the bottom of another.
+TEST(G75, WithoutAWidthItCutsToXUnderThatReadingToo) {
+  const Profile on = hnc({{"hnc.g75.mode3", "on"}});
+  EXPECT_EQ(cycle("G00 X50 Z5", "G75 X30 Q3 F50", on), groove({"F30", "R50"}, "50"));
+  EXPECT_EQ(cycle("G00 X50 Z5", "G75 U-20 R0 Q3 F50", on), groove({"F30", "R50"}, "50"));
+  EXPECT_EQ(ending_of("G00 X50 Z-20\nG75 X50 Q2 F30", on), "end x25 y0 z-20 a0 c0");
+  // The width of the block before is none of this one.
+  EXPECT_EQ(cycle("G00 X50 Z-20", "G75 X34 Z-22 Q2 I1 F30\nX40", on),
+            groove({"R34", "F30", "R50", "z-22", "R34", "F30", "R50", "z-20", "F40", "R50"}));
 }
 
 // Q 4 and R 1 as diameters are 2 and 0.5 of radius.
@@ -180,12 +191,15 @@ TEST(G75, TakesPecksAsDiametersUnderItsReading) {
             groove({"F46", "R47", "F42", "R50"}));
   EXPECT_EQ(path("G74 Z-4 R1 Q2 F30", diameter).at(0), "feed z-2 f30");  // no length along X
   const Profile both = hnc({{"hnc.g75.depth-scale", "diameter"}, {"hnc.g75.mode3", "on"}});
-  EXPECT_EQ(cycle("G00 X50 Z-20", "G75 X34 Q4 F30", both), groove({"R34", "F30", "R50"}));
+  EXPECT_EQ(cycle("G00 X50 Z-20", "G75 X34 Z-21 Q4 I1 F30", both),
+            groove({"R34", "F30", "R50", "z-21", "R34", "F30", "R50", "z-20"}));
 }
 
 TEST(G75, AsksItsReadingsOnlyWhereTheyMatter) {
   EXPECT_EQ(touched("G75 X30 F30"), Lines{});
-  EXPECT_EQ(touched("G75 X30 Q2 F30"), Lines{"hnc.g75.mode3"});
+  EXPECT_EQ(touched("G75 X30 Q2 F30"), Lines{});
+  EXPECT_EQ(touched("G75 X30 Z-26 Q2 I3 P3 F30"),
+            (Lines{"hnc.g75.steps", "hnc.g75.end", "hnc.g75.mode3"}));
   EXPECT_EQ(touched("G75 X-30 R1 Q30 F30"), Lines{});
   EXPECT_EQ(touched("G75 X-30 R1 Q15 F30"), Lines{"hnc.g75.depth-scale"});
   EXPECT_EQ(touched("G37 G75 X-30 R1 Q30 F30"), Lines{});

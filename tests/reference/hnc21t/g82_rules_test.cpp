@@ -124,6 +124,18 @@ TEST(G82Rules, ABlockWithoutAnAxisMayDoNothing) {
   EXPECT_EQ(path("G80 X20 F50\nX20 Z-10", profile).size(), 4U);
 }
 
+// Q comes with the versions 7.11 and 4.03.
+TEST(G82Rules, AnOlderControlLacksQ) {
+  const Profile older = hnc({{"hnc.g82.q", "alarm"}});
+  EXPECT_EQ(ending_of("G82 X20 Z-10 F2 Q20"), kEndAtOrigin);
+  EXPECT_EQ(ending_of("G82 X20 Z-10 F2 Q20", older), "alarm b1 undefined-code");
+  EXPECT_EQ(ending_of("G82 X20 Z-10 F2 Q-1", older), "alarm b1 undefined-code");
+  EXPECT_EQ(ending_of("G82 Q0 F2", older), "alarm b1 undefined-code");
+  EXPECT_EQ(ending_of("G82 X20 Z-10 F2", older), kEndAtOrigin);
+  EXPECT_EQ(ending_of("G74 Z-10 R1 Q3 F50", older), kEndAtOrigin);
+  EXPECT_EQ(touched("G82 X20 Z-10 F2 Q20"), (Lines{"hnc.g82.q", "hnc.g82.exit"}));
+}
+
 TEST(G82Rules, EveryBrokenRuleIsReportedInTheOrderOfItsWord) {
   EXPECT_EQ(ending_of("G82 Q-1 X20 C1.5 Z-10 R-2 F0"),
             "alarm b1 value-sign not-an-integer retract-pair value-sign");
