@@ -96,6 +96,8 @@ struct Term {
   TermKind kind = TermKind::number;
   Decimal number;
   Span where;
+  // RS274/NGC: a + or - that follows AND, OR or XOR without brackets between (NGC-EXP-09).
+  bool is_joined = false;
   friend bool operator==(const Term& a, const Term& b) {
     return a.kind == b.kind && a.number == b.number;
   }

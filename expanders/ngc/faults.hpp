@@ -75,6 +75,8 @@ inline constexpr FaultDescription kFaultTable[] = {
      "plane taken after the motion"},
     {"feed-survives-its-mode", "F of G94 holds under G95, and the reverse", "NGC-FED-02",
      "number kept beside the mode"},
+    {"spindle-turns-after-change", "the spindle goes on turning behind M6", "NGC-SPD-03",
+     "state of the spindle changed by M3, M4 and M5 alone"},
     {"inverse-time-of-all-axes", "F of G93 counts rotary axes as well as linear ones", "NGC-FED-01",
      "one length over all axes"},
     {"inverse-time-of-chord", "F of G93 counts the chord of an arc", "NGC-FED-01",

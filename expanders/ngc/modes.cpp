@@ -70,11 +70,16 @@ void Interpreter::take_feed() {
 }
 
 void Interpreter::take_spindle() {
+  State& state = machine_.state;
+  // NGC-SPD-03: a tool change comes before the spindle's own functions.
+  if (block_.has_function(6)) {
+    state.spindle = machine_.alters("spindle-turns-after-change"_fault, 5, state.spindle);
+  }
   for (const FunctionWord& word : block_.functions()) {
     const Fixed m = word.number.value_or(0);
-    if (m >= 3 && m <= 5) machine_.state.spindle = static_cast<int>(m);
-    if (m == 7 || m == 8) machine_.state.coolant |= static_cast<int>(m) - 6;
-    if (m == 9) machine_.state.coolant = 0;
+    if (m >= 3 && m <= 5) state.spindle = static_cast<int>(m);
+    if (m == 7 || m == 8) state.coolant |= static_cast<int>(m) - 6;
+    if (m == 9) state.coolant = 0;
   }
 }
 

@@ -123,6 +123,23 @@ struct NamedParameter : Silent<NamedParameter<kind>> {
   }
 };
 
+// joined[step]: marks the term of a step that was taken (NGC-EXP-09).
+template <typename Subject>
+struct Joined : spirit::unary_parser<Subject, Joined<Subject>> {
+  using spirit::unary_parser<Subject, Joined>::unary_parser;
+  using attribute_type = spirit::unused_type;
+  static constexpr bool has_attribute = false;
+
+  template <typename Context, typename RuleContext, typename Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
+             Attribute&) const {
+    if (!this->subject.parse(first, last, context, rule, spirit::unused)) return false;
+    target(context).block.terms.back().is_joined = true;
+    return true;
+  }
+};
+inline constexpr PlainGenerator<Joined> joined{};
+
 inline constexpr auto shallow = rule<struct ShallowId>{"nesting"} = Shallow{};
 inline constexpr auto close = rule<struct CloseId>{"closed-brackets"} = sole<']'>;
 inline constexpr auto open = rule<struct OpenId>{"bracketed-value"} = &sole<'['>;
@@ -137,7 +154,9 @@ inline constexpr auto power = expect[value] >> *step<read_power>[expect[value]];
 inline constexpr auto product = power >> *step<read_product>[power];
 inline constexpr auto sum = product >> *step<read_sum>[product];
 inline constexpr auto comparison = sum >> *step<read_comparison>[sum];
-inline constexpr auto logic = comparison >> *step<read_logic>[comparison];
+inline constexpr auto behind_logic =
+    product >> *joined[step<read_sum>[product]] >> *step<read_comparison>[sum];
+inline constexpr auto logic = comparison >> *step<read_logic>[behind_logic];
 
 inline constexpr auto bracketed =
     sole<'['> >> expect[shallow] >> nest[logic] >> expect[close];

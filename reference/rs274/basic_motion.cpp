@@ -101,6 +101,7 @@ void run_dwell(BlockContext& block) {
     block.missing("NGC-G4-01"_clause, 'P');
     return;
   }
+  if (block.codes.motion == 2 || block.codes.motion == 3) block.out.accept("NGC-G4-03"_clause);
   Record record;
   record.kind = RecordKind::dwell;
   record.block = block.line;

@@ -12,6 +12,7 @@
 #include "reference/compared.hpp"
 #include "reference/exact/size.hpp"
 #include "reference/reading_literal.hpp"
+#include "reference/rs274/logic_order.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/whole.hpp"
 
@@ -213,6 +214,13 @@ bool Calculator::apply(const grammar::Block& block, const grammar::Term& term) {
 std::optional<Value> Calculator::calculated(const grammar::Block& block,
                                             const grammar::TermRange& range) {
   stack_.clear();
+  // NGC-EXP-09
+  if (has_logic_before_sum(block, range) && readings_.is("ngc.logic-order=among-sums"_reading)) {
+    for (const std::uint32_t place : logic_among_sums(block, range)) {
+      if (!apply(block, block.terms[place])) return std::nullopt;
+    }
+    return std::move(stack_.back());
+  }
   for (std::uint32_t i = 0; i < range.count; ++i) {
     if (!apply(block, block.terms[range.first + i])) return std::nullopt;
   }

@@ -25,7 +25,7 @@ class HoleBlock {
   const StickyWords& words() const { return block_.machine.cycle.words; }
   // A rule of the cycle that is broken; a control may find it only over the first hole.
   void alarm_at_hole(AlarmClass alarm, ClauseId clause, WordName word, std::string message);
-  // P is, of a cycle that may need it.
+  // P is missing in a cycle that may need it.
   void missing_dwell(ClauseId clause);
 
   // REQUIRES: is_sound().

@@ -49,7 +49,7 @@ class Interpreter : public BlockInterpreter {
   void take_feed_mode(const BlockWords& words, int mode);
   void take_feed(const BlockWords& words, const BlockCodes& codes);
   void run_subprogram(const BlockWords& words, std::uint64_t line, BlockOutput& out);
-  void take_spindle(const grammar::Block& block);
+  void take_spindle(const MFunctions& functions);
   void take_modes(const BlockCodes& codes, std::uint64_t line);
   void take_overrides(const BlockContext& block);
   void take_tool(const BlockWords& words, BlockOutput& out);
@@ -75,7 +75,7 @@ Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings)
     : profile_(profile),
       readings_(readings),
       machine_(profile),
-      o_words_(parameters_, profile.block_skip) {
+      o_words_(parameters_, readings, profile.block_skip) {
   stand_at(profile.initial.at);
   machine_.feed = machine_.rotary_feed = profile.initial.feed;
   machine_.plane = profile.initial.plane;
@@ -144,15 +144,16 @@ void Interpreter::take_feed(const BlockWords& words, const BlockCodes& codes) {
   machine_.feed = modes.length_of(machine_.rotary_feed);
 }
 
-// NGC-CYC-28: M3, M4 and M5 come before the cycle of their block.
-void Interpreter::take_spindle(const grammar::Block& block) {
-  for (const grammar::Word& word : block.words) {
-    const std::int64_t number = word.address == 'M' ? m_number(word, readings_).value_or(0) : 0;
-    if (number >= 3 && number <= 5) machine_.spindle = static_cast<int>(number);
-    if (number == 7) machine_.has_mist = true;
-    if (number == 8) machine_.has_flood = true;
-    if (number == 9) machine_.has_mist = machine_.has_flood = false;
+// NGC-SPD-03: M6 stops the spindle, before M3 and M4 of its block, wherever they stand. NGC-CYC-28:
+// all of them come before the cycle of their block.
+void Interpreter::take_spindle(const MFunctions& functions) {
+  if (functions[6]) machine_.spindle = 5;
+  for (const int number : {3, 4, 5}) {
+    if (functions[static_cast<std::size_t>(number)]) machine_.spindle = number;
   }
+  if (functions[7]) machine_.has_mist = true;
+  if (functions[8]) machine_.has_flood = true;
+  if (functions[9]) machine_.has_mist = machine_.has_flood = false;
 }
 
 // NGC-SAV-01: what M72 would have to restore. M50 to M53 switch off with P0, and on without P.
@@ -337,6 +338,11 @@ void Interpreter::run_block(BlockContext& block) const {
   }
 }
 
+// NGC-SAV-01
+NotCovered left_running(std::uint64_t line) {
+  return {line, "M73", "The gauge does not stop what a subroutine leaves running.", {}};
+}
+
 // Calculates what the block has to be calculated, and runs it where it is an O word. Whether its
 // words run.
 bool Interpreter::calculate(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
@@ -345,10 +351,7 @@ bool Interpreter::calculate(std::uint64_t line, const grammar::Block& block, Blo
     check_numbers(block, readings_, out);
     o_words_.take(block, calculator, out);
     const bool is_kept = saved_.follow(o_words_.calls(), machine_);
-    if (!is_kept) {
-      calculator.outside =
-          NotCovered{line, "M73", "What a subroutine leaves running the gauge does not stop.", {}};
-    }
+    if (!is_kept) calculator.outside = left_running(line);
   } else if (calculated_.take(block, calculator, out)) {
     calculator.assign(block);
   }
@@ -442,11 +445,12 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
     return;
   }
   take_feed(words, codes);
-  take_spindle(block);
+  const MFunctions functions = m_functions_of(block, readings_);
+  take_spindle(functions);
   take_tool(words, out);
   BlockContext context{
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters};
-  context.functions = m_functions_of(block, readings_);
+  context.functions = functions;
   saved_.take(context);
   take_overrides(context);
   const bool has_diameters = machine_.modes.diameter;
@@ -466,16 +470,22 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
 
 // NGC-OWD-13: M98 and M99 come behind all else of their block.
 void Interpreter::run_subprogram(const BlockWords& words, std::uint64_t line, BlockOutput& out) {
+  const std::size_t calls = o_words_.calls();
+  bool is_kept = true;
   for (const grammar::Word& word : words.block().words) {
     const std::int64_t number = word.address == 'M' ? m_number(word, readings_).value_or(0) : 0;
     if (number == 98) o_words_.call_numbered(words, word.where, out);
-    if (number == 99) o_words_.end_numbered(line, word.where, out);
+    if (number != 99) continue;
+    o_words_.end_numbered(line, word.where, out);
+    // NGC-SAV-01: what a pass has saved ends with it, also where another pass follows.
+    if (out.alarms.empty() && !out.not_covered) is_kept = saved_.follow(calls - 1, machine_);
   }
+  is_kept = saved_.follow(o_words_.calls(), machine_) && is_kept;
+  if (!is_kept) out.not_covered = left_running(line);
   if (!out.alarms.empty() || out.not_covered) {
     out.items.clear();
     out.cycle = {};
   }
-  saved_.follow(o_words_.calls(), machine_);
 }
 
 }  // namespace

@@ -98,14 +98,14 @@ bool fits_modes(BlockContext& block) {
   if (is_hole_cycle(machine.motion)) {
     block.alarm(AlarmClass::conflicting_words, "NGC-CYC-21"_clause, 'G',
                 "A cycle does not run in inverse time.");
-    return true;  // what else is wrong with its words may be told in its place
+    return true;  // what else is wrong with its words may be reported in its place
   }
   if (!cuts_by_feed(machine.motion)) return true;
   // NGC-FED-01
   if (!block.words.has('F')) {
     block.alarm(AlarmClass::feed_missing, "NGC-FED-01"_clause, 'F',
                 "In inverse time each block that cuts needs an F.");
-    return true;  // what else is wrong with its words may be told in its place
+    return true;  // what else is wrong with its words may be reported in its place
   }
   if (block.words.written('F').sign() != 0) return true;
   leave_out(block, 'F', "No text says how a block takes endless time, as F0 has it.");

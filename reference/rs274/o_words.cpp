@@ -222,15 +222,34 @@ bool OWords::find_behind(const std::string& label) {
   return false;
 }
 
+void OWords::enter(Level level, std::vector<Value> arguments) {
+  if (level.is_numbered) {
+    parameters_.enter_sharing();
+  } else {
+    parameters_.enter(std::move(arguments));
+  }
+  parameters_.returned.reset();  // NGC-OWD-03
+  levels_.push_back(std::move(level));
+}
+
+void OWords::leave() {
+  parameters_.leave();
+  levels_.pop_back();
+}
+
 // NGC-OWD-03: return and endsub; a return may have the label of another O word.
 void OWords::run_return(const Step& step) {
   if (defined_ != nullptr) {  // the end of one that is read
     defined_ = nullptr;
     return;
   }
+  if (levels_.back().is_numbered) {
+    refuse_style('O', step.control.where, "M99 ends what M98 calls, and no return or endsub does.",
+                 step.out);
+    return;
+  }
   const bool ends = step.control.kind == ControlKind::endsub;
-  const bool is_other = levels_.back().is_numbered || levels_.back().sub != step.control.label;
-  if (is_main() || (ends && is_other)) {
+  if (is_main() || (ends && levels_.back().sub != step.control.label)) {
     refuse(step, "No subroutine of this label runs here.");
     return;
   }
@@ -239,8 +258,7 @@ void OWords::run_return(const Step& step) {
     if (!returned) return;
     parameters_.returned = std::move(returned);
   }
-  parameters_.leave();
-  levels_.pop_back();
+  leave();
 }
 
 // NGC-OWD-02
@@ -277,9 +295,7 @@ void OWords::run_call(const Step& step) {
     leave_out(step, "The gauge follows nine calls within each other.");
     return;
   }
-  parameters_.returned.reset();
-  parameters_.enter(std::move(arguments));
-  levels_.push_back({label, &subs_.at(label).text});
+  enter({label, &subs_.at(label).text}, std::move(arguments));
 }
 
 // NGC-OWD-04

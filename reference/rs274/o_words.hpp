@@ -27,9 +27,13 @@ inline constexpr std::size_t kMostCalls = 9;                          // in each
 // Whether the line is a % line.
 bool is_tape_mark(std::string_view text);
 
+// NGC-OWD-13: the alarm of what belongs to the other style of subroutines; `word`: M or O.
+void refuse_style(char word, const grammar::Span& where, std::string message, BlockOutput& out);
+
 class OWords {
  public:
-  OWords(Parameters& parameters, bool skips) : parameters_(parameters), skips_(skips) {}
+  OWords(Parameters& parameters, const ReadingsInUse& readings, bool skips)
+      : parameters_(parameters), readings_(readings), skips_(skips) {}
   OWords(const OWords&) = delete;
   OWords& operator=(const OWords&) = delete;
 
@@ -105,7 +109,7 @@ class OWords {
   bool remember_next();
   bool find_behind(const std::string& label);
   enum class Found : std::uint8_t { nowhere, another_style, here };
-  Found find_numbered(std::int64_t number, Text& text);
+  Found find_numbered(std::int64_t number, Sub& found);
   bool is_numbered_behind(const std::string& label);
   void open(const Step& step, bool is_done);
   bool is_new_label(const Step& step);
@@ -114,6 +118,9 @@ class OWords {
   void go_back_to(std::size_t place);
   std::optional<Value> value(const Step& step);
   std::optional<bool> holds(const Step& step);
+  // The only ways into a call and out of it: lines and parameters have the same levels.
+  void enter(Level level, std::vector<Value> arguments = {});
+  void leave();
   bool refuse(const Step& step, std::string message) const;
   bool leave_out(const Step& step, std::string message) const;
 
@@ -133,11 +140,12 @@ class OWords {
   void run_break(const Step& step);
 
   Parameters& parameters_;
+  const ReadingsInUse& readings_;
   bool skips_;  // lines behind '/'
   Text tape_;   // lines of the program that may come again
   std::map<std::string, Sub> subs_;
-  std::map<std::int64_t, Text> numbered_;  // NGC-OWD-13
-  Text* defined_ = nullptr;                // the subroutine that is read
+  std::map<std::int64_t, Sub> numbered_;  // NGC-OWD-13
+  Text* defined_ = nullptr;               // the subroutine that is read
   std::string defined_label_;
   bool fills_ = false;  // its lines are new
   std::vector<Level> levels_ = {Level{{}, &tape_, 0, {}}};

@@ -39,13 +39,25 @@ std::optional<std::size_t> named_system(BlockContext& block, ClauseId clause) {
   return place == 0 ? block.machine.offsets.system : place - 1;
 }
 
-// G10 L2 and L20 have no words of a tool.
+// NGC-OFS-21: P0 of G10 L2, whose origin NIST's interpreter does not set.
+bool refuses_system_in_force(BlockContext& block) {
+  const bool is_in_force = block.words.has('P') && block.words.written('P').sign() == 0;
+  if (!is_in_force || block.readings.is("ngc.g10-p0=in-force"_reading)) return false;
+  block.alarm(AlarmClass::value_out_of_range, "NGC-OFS-21"_clause, 'P',
+              "P of G10 L2 names a coordinate system by 1 to 9; it is 0.");
+  return true;
+}
+
+// NGC-OFS-03: what G10 takes for a tool, L2 and L20 do not.
+void refuse_word(BlockContext& block, ClauseId clause, char address) {
+  if (!block.words.has(address) || block.readings.is("ngc.unused-words=ignored"_reading)) return;
+  const std::string_view what = clause == "NGC-OFS-03"_clause ? "L2" : "L20";
+  block.alarm(AlarmClass::unused_word, clause, address,
+              fmt::format("G10 {} has no word {}.", what, address));
+}
+
 void refuse_tool_words(BlockContext& block, ClauseId clause) {
-  for (const char address : {'I', 'J', 'Q'}) {
-    if (!block.words.has(address)) continue;
-    block.alarm(AlarmClass::unused_word, clause, address,
-                fmt::format("G10 has no word {} for a coordinate system.", address));
-  }
+  for (const char address : {'I', 'J', 'Q'}) refuse_word(block, clause, address);
 }
 
 // NGC-OFS-03: G10 L2.
@@ -53,7 +65,7 @@ void set_system(BlockContext& block) {
   const ClauseId clause = "NGC-OFS-03"_clause;
   const std::optional<std::size_t> system = named_system(block, clause);
   refuse_tool_words(block, clause);
-  if (!system) return;
+  if (!system || refuses_system_in_force(block)) return;
   change_offsets(block.machine, [&](Offsets& offsets) {
     each_axis_word(block,
                    [&](Axis axis, const Number& value) { offsets.systems[*system][axis] = value; });
@@ -66,9 +78,7 @@ void set_system(BlockContext& block) {
 void set_system_here(BlockContext& block) {
   const ClauseId clause = "NGC-OFS-04"_clause;
   const std::optional<std::size_t> system = named_system(block, clause);
-  if (block.words.has('R')) {
-    block.alarm(AlarmClass::unused_word, clause, 'R', "G10 L20 has no word R.");
-  }
+  refuse_word(block, clause, 'R');
   refuse_tool_words(block, clause);
   if (!system) return;
   const Offsets& now = block.machine.offsets;
@@ -89,7 +99,7 @@ void run_setting(BlockContext& block) {
   if (what == 20) return set_system_here(block);
   if (what == 1 || what == 10 || what == 11) return set_tool(block, what);
   if (what == 0) {
-    return block.not_covered(10, 'L', "What a reloaded tool table holds is the machine's matter.");
+    return block.not_covered(10, 'L', "Only the machine knows what a reloaded tool table holds.");
   }
   block.alarm(AlarmClass::value_out_of_range, clause, 'L',
               with_values("L of G10 is 0, 1, 2, 10, 11 or 20, and not {}.", {*number}));
@@ -136,6 +146,19 @@ void run_g92_switch(BlockContext& block, int tenths) {
   });
 }
 
+// NGC-OFS-22: the axes that go on to a reference point behind the place `to` that `named` say.
+AxisSet axes_to_home(const BlockContext& block, const Position& to, AxisSet named,
+                     std::size_t which) {
+  const Offsets& offsets = block.machine.offsets;
+  const Position here = offsets.frame.to_machine(to);
+  // Turned axes that are named are not compared: equal enclosures would never be seen to be equal.
+  const auto is_elsewhere = [&](Axis axis) {
+    return !named.has(axis) && (here[axis] - offsets.homes[which][axis]).try_sign() != 0;
+  };
+  const bool matters = block.out.alarms.empty() && std::ranges::any_of(kAllAxes, is_elsewhere);
+  return matters && block.readings.is("ngc.g28-axes=all"_reading) ? kEveryAxis : named;
+}
+
 // NGC-OFS-11: G28 and G30.
 void run_home(BlockContext& block, std::size_t which) {
   const ClauseId clause = "NGC-OFS-11"_clause;
@@ -152,6 +175,7 @@ void run_home(BlockContext& block, std::size_t which) {
     axes = kEveryAxis;
   } else {
     block.put(block.motion_to(RecordKind::rapid, clause, axes, to));
+    axes = axes_to_home(block, to, axes, which);
   }
   to = at_machine_places(machine.offsets.frame, to, axes, machine.offsets.homes[which]);
   block.put(block.motion_to(RecordKind::rapid, clause, axes, to));
@@ -231,7 +255,7 @@ void run_once(BlockContext& block) {
   }
 }
 
-// NGC-OFS-13, NGC-OFS-14, NGC-OFS-15
+// NGC-OFS-13, NGC-OFS-14, NGC-OFS-15, NGC-OFS-20
 void check_once(BlockContext& block) {
   const int motion = block.machine.motion;
   if (block.codes.once == 530) {
@@ -243,6 +267,8 @@ void check_once(BlockContext& block) {
       block.alarm(AlarmClass::conflicting_words, "NGC-OFS-14"_clause, 'G',
                   "G53 has no increments.");
     }
+    const bool is_alone = !block.words.has_axis_word() && block.codes.motion < 0;
+    if (is_alone) block.out.accept("NGC-OFS-20"_clause);
   }
   if (takes_axis_words(block.codes) && !sets_tool_length(block.codes) && block.codes.motion >= 0 &&
       motion != kNoMotion) {

@@ -129,8 +129,8 @@ bool Calculator::is_doubtful(TermKind kind, const Value& value) const {
 
 bool Calculator::leave_to_doubles(const grammar::Span& where) {
   return leave_out("expression", where,
-                   "What the exact value decides here a control that calculates with doubles may "
-                   "decide otherwise.");
+                   "A control that calculates with doubles may decide otherwise here than the "
+                   "exact value does.");
 }
 
 // NGC-EXP-02

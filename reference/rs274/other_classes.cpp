@@ -37,8 +37,12 @@ void admit_by_rule(Alarm& alarm) {
       return admit(AlarmClass::value_out_of_range);
     case AlarmClass::axis_not_in_plane:
       return admit(AlarmClass::unused_word, AlarmClass::conflicting_words);
-    case AlarmClass::conflicting_words:
+    case AlarmClass::conflicting_words:  // two codes that take one axis word
       if (!is_at_code(alarm)) admit(AlarmClass::unused_word);
+      if (alarm.clause == "NGC-OFS-15"_clause) admit(AlarmClass::duplicate_word);
+      return;
+    case AlarmClass::value_out_of_range:  // a parameter without a value
+      if (alarm.clause == "NGC-PAR-03"_clause) admit(AlarmClass::missing_word);
       return;
     case AlarmClass::duplicate_word:  // two codes of a group
       if (is_at_code(alarm)) admit(AlarmClass::conflicting_words);

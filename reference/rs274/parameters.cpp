@@ -78,7 +78,7 @@ bool is_global(const std::string& name) {
 }  // namespace
 
 Value Parameters::numbered(std::int64_t number) const {
-  if (is_argument(number)) return levels_.back().arguments[static_cast<std::size_t>(number - 1)];
+  if (is_argument(number)) return owner().arguments[static_cast<std::size_t>(number - 1)];
   const auto found = numbered_.find(number);
   return found == numbered_.end() ? Value() : found->second;
 }
@@ -86,15 +86,15 @@ Value Parameters::numbered(std::int64_t number) const {
 void Parameters::set(std::int64_t number, Value value) {
   if (is_argument(number)) {
     const auto place = static_cast<std::size_t>(number - 1);
-    levels_.back().arguments[place] = std::move(value);
-    levels_.back().inherited[place] = false;
+    owner().arguments[place] = std::move(value);
+    owner().inherited[place] = false;
   } else {
     numbered_[number] = std::move(value);
   }
 }
 
 bool Parameters::is_inherited(std::int64_t number) const {
-  return is_argument(number) && levels_.back().inherited[static_cast<std::size_t>(number - 1)];
+  return is_argument(number) && owner().inherited[static_cast<std::size_t>(number - 1)];
 }
 
 std::optional<Value> Parameters::named(const std::string& name) const {
@@ -109,11 +109,15 @@ void Parameters::set(const std::string& name, Value value) {
 }
 
 void Parameters::enter(std::vector<Value> arguments) {
-  Level level{levels_.back().arguments, {}, {}};
+  Level level{owner().arguments, {}, {}, levels_.size()};
   const auto given = static_cast<std::ptrdiff_t>(arguments.size());
   std::fill(level.inherited.begin() + given, level.inherited.end(), true);
   std::ranges::move(arguments, level.arguments.begin());
   levels_.push_back(std::move(level));
+}
+
+void Parameters::enter_sharing() {
+  levels_.push_back({{}, {}, {}, levels_.back().owner});
 }
 
 bool is_predefined(std::string_view name) {

@@ -50,8 +50,10 @@ class Parameters {
 
   // NGC-OWD-02: a subroutine has parameters of its own, the first of them its arguments.
   void enter(std::vector<Value> arguments);
+  // NGC-OWD-13: a subprogram shares #1 to #30 with the lines that call it, and has its own names.
+  void enter_sharing();
+  // REQUIRES: one was entered and not left.
   void leave() { levels_.pop_back(); }
-  std::size_t levels() const { return levels_.size(); }
 
   // NGC-OWD-03: what the last subroutine returned.
   std::optional<Value> returned;
@@ -61,7 +63,11 @@ class Parameters {
     std::array<Value, kArguments> arguments;
     std::array<bool, kArguments> inherited = {};
     std::map<std::string, Value> named;
+    std::size_t owner = 0;  // the level whose arguments it has
   };
+  Level& owner() { return levels_[levels_.back().owner]; }
+  const Level& owner() const { return levels_[levels_.back().owner]; }
+
   std::vector<Level> levels_;
   std::map<std::int64_t, Value> numbered_ = {{kShowsMessages, {1}}};
   std::map<std::string, Value> global_;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// NGC-OWD-13: M98 and M99, subprograms with numbers.
+// NGC-OWD-13, NGC-OWD-14: M98 and M99, subprograms with numbers.
 #include <algorithm>
+#include <utility>
 
 #include "grammar/parser.hpp"
 #include "reference/clause_literal.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/o_words.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -24,8 +26,12 @@ bool has_m99(const grammar::Block& block) {
 
 }  // namespace
 
+void refuse_style(char word, const grammar::Span& where, std::string message, BlockOutput& out) {
+  out.alarms.push_back({AlarmClass::syntax, "NGC-OWD-13"_clause, word, where, std::move(message)});
+}
+
 // NGC-OWD-13: the lines behind O and the number up to the last M99 before another O.
-OWords::Found OWords::find_numbered(std::int64_t number, Text& text) {
+OWords::Found OWords::find_numbered(std::int64_t number, Sub& found) {
   bool is_found = false;
   std::size_t end = 0;
   for (std::size_t at = levels_.front().at; at < tape_.size() || remember_next(); ++at) {
@@ -39,12 +45,13 @@ OWords::Found OWords::find_numbered(std::int64_t number, Text& text) {
     if (scratch_.program_number) {
       if (is_found) break;
       is_found = program_number_of(scratch_) == number;
+      found.line = line.number;
     } else if (is_found) {
-      text.push_back(line);
-      if (has_m99(scratch_)) end = text.size();
+      found.text.push_back(line);
+      if (has_m99(scratch_)) end = found.text.size();
     }
   }
-  text.resize(end);
+  found.text.resize(end);
   return end == 0 ? Found::nowhere : Found::here;
 }
 
@@ -71,40 +78,48 @@ void OWords::call_numbered(const BlockWords& words, const grammar::Span& where, 
   if (found == numbered_.end()) {
     called_at_ = current_->text;
     current_->text = called_at_;  // the source forgets the line
-    Text text;
+    Sub sub;
     const Found what =
-        subs_.contains(std::to_string(number)) ? Found::another_style : find_numbered(number, text);
+        subs_.contains(std::to_string(number)) ? Found::another_style : find_numbered(number, sub);
     if (what == Found::nowhere) {
       return leave("No subprogram of this number, with its M99, stands behind the call.");
     }
     if (what == Found::another_style) {
-      out.alarms.push_back({AlarmClass::syntax, "NGC-OWD-13"_clause, 'M', where,
-                            "M98 calls O and a number up to M99, not a subroutine with sub or "
-                            "endsub."});
+      refuse_style('M', where,
+                   "M98 calls O and a number up to M99, not a subroutine with sub or endsub.", out);
       return;
     }
-    found = numbered_.emplace(number, std::move(text)).first;
+    found = numbered_.emplace(number, std::move(sub)).first;
   }
   if (times == 0) return;
-  levels_.push_back({std::to_string(number), &found->second, 0, {}, true, times});
+  // NGC-OWD-14
+  if (found->second.line < current_->number && readings_.is("ngc.m98-before=syntax"_reading)) {
+    out.alarms.push_back({AlarmClass::syntax, "NGC-OWD-14"_clause, 'M', where,
+                          "The subprogram stands before the line that calls it."});
+    return;
+  }
+  enter({std::to_string(number), &found->second.text, 0, {}, true, times});
 }
 
 void OWords::end_numbered(std::uint64_t line, const grammar::Span& where, BlockOutput& out) {
-  Level& level = levels_.back();
   if (is_main()) {
     out.not_covered = NotCovered{
         line, "M99", "The program begins again here without an end, which the gauge does not read.",
         where};
     return;
   }
-  if (!level.is_numbered) {
-    out.alarms.push_back({AlarmClass::syntax, "NGC-OWD-13"_clause, 'M', where,
-                          "M99 ends no subroutine that begins with sub."});
+  if (!levels_.back().is_numbered) {
+    refuse_style('M', where, "M99 ends no subroutine that begins with sub.", out);
     return;
   }
-  level.at = 0;
-  level.open.clear();
-  if (--level.left == 0) levels_.pop_back();
+  Level again = std::move(levels_.back());
+  leave();
+  // Each pass is a call of its own.
+  if (--again.left > 0) {
+    again.at = 0;
+    again.open.clear();
+    enter(std::move(again));
+  }
   forget();
 }
 

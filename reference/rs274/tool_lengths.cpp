@@ -7,6 +7,7 @@
 
 #include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
+#include "reference/reading_literal.hpp"
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -144,6 +145,10 @@ void take_tool_length(BlockContext& block) {
       each_axis_word(block, [&](Axis axis, const Number& value) { tool[axis] = value; });
       break;
     case 430: {
+      // NGC-OFS-23
+      if (!block.words.has('H') && block.readings.is("ngc.g43-without-h=missing-word"_reading)) {
+        return block.missing("NGC-OFS-23"_clause, 'H');
+      }
       const std::optional<Position> offset = offset_of_tool(block, "NGC-OFS-08"_clause);
       if (!offset) return;
       tool = *offset;

@@ -38,6 +38,8 @@ const FaultExample kNgcFaultExamples[] = {
     {"g91-ignored-after-g90", "G91 G0 X1\nX1\nG90 X3\nG91 X1\n",
      "1 rapid x=1\n2 rapid x=2\n3 rapid x=3\n4 rapid x=1\n"},
     {"feed-survives-its-mode", "G1 X1 F9\nG95 X2\n", "1 feed x=1 f=9\n2 feed x=2 f=9/rev\n"},
+    {"spindle-turns-after-change", "M3\nT1 M6\nG96 S9 F9 G1 X1\n",
+     "1 m 3\n2 m 6\n3 feed x=1 f=9\n"},
     {"inverse-time-of-all-axes", "G93 G1 X3 A4 F2\n", "1 feed x=3 a=4 f=10\n"},
     {"inverse-time-of-chord", "G93 G2 X4 I2 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=36\n"},
     {"x-never-halved", "G7\nG0 X4\n", "2 rapid x=4\n"},

@@ -25,6 +25,35 @@ TEST(NgcExpression, HasTheDocumentsGroups) {
   EXPECT_EQ(value("[1+1 EQ 2]"), "1");
 }
 
+// NIST 3.3.2.3: AND, OR and XOR are of the group of + and -, the left one first.
+TEST(NgcExpression, LogicIsLastOrAmongTheSums) {
+  const Profile last = ngc({{"ngc.logic-order", "last"}});
+  const Profile among = ngc({{"ngc.logic-order", "among-sums"}});
+  struct Row {
+    const char* value;
+    const char* last;
+    const char* among;
+  };
+  for (const Row& row :
+       {Row{"1 OR 0 + 20", "rapid x1", "rapid x21"}, Row{"1 OR 0 + 2 * 3", "rapid x1", "rapid x7"},
+        Row{"1 AND 4 - 3", "rapid x1", "rapid x-2"},
+        Row{"5 + [1 AND 1 + 4]", "rapid x6", "rapid x10"},
+        // 1 OR -3, XOR 4; ((2 - 1 OR 0) - 3 XOR 0) + 4.
+        Row{"7 + [2 - 1 OR 0 - 3 XOR 0 + 4]", "rapid x7", "rapid x12"},
+        Row{"ABS[0 XOR 1 - 7]", "rapid x1", "rapid x6"}}) {
+    const std::string program = "G0 X[" + std::string(row.value) + "]\nM2";
+    EXPECT_EQ(path(program, last), Lines{row.last}) << row.value;
+    EXPECT_EQ(path(program, among), Lines{row.among}) << row.value;
+    EXPECT_EQ(touched(program), Lines{"ngc.logic-order"}) << row.value;
+  }
+  for (const char* value : {"1 OR [0 + 20]", "5 + 1 AND 3", "5 - 4 + 1 XOR 0", "2 * 3 OR 1",
+                            "1 GT 0 AND 3 + 2", "0 OR 3 + 2 GT 4", "1 AND -3"}) {
+    const std::string program = "G0 X[" + std::string(value) + "]\nM2";
+    EXPECT_EQ(path(program, among), Lines{"rapid x1"}) << value;
+    EXPECT_EQ(touched(program), Lines{}) << value;
+  }
+}
+
 TEST(NgcExpression, HasTheDocumentsFunctions) {
   EXPECT_EQ(value(" FIX[2.8]"), "2");
   EXPECT_EQ(value(" FIX[-2.8]"), "-3");

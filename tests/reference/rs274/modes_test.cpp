@@ -36,7 +36,8 @@ TEST(NgcModes, TheProfileMayGiveAMotion) {
   EXPECT_EQ(path("X1 F100", profile), Lines{"feed x1 f100"});
 }
 
-// 3-4-5: 5 mm in half a minute are 10 mm/min. Rotary axes alone turn 90 degrees in a third of a minute.
+// 3-4-5: 5 mm in half a minute are 10 mm/min. Rotary axes alone turn 90 degrees in a third of a
+// minute.
 TEST(NgcModes, InverseTimeIsTheWayTimesF) {
   EXPECT_EQ(path("G93 G1 X3 Y4 F2\nX6 Y8 F1\nG0 X0 Y0"),
             (Lines{"feed x3 y4 f10", "feed x6 y8 f5", "rapid x0 y0"}));
@@ -58,8 +59,8 @@ Lines feeds(const char* program) {
   return all;
 }
 
-// 2 pi; a quarter of a turn of radius 10, 5 pi, in two minutes; 10 pi in 2/3 of one; 5 pi and 15 pi in
-// a third; 5 pi and 4 across make the root of 25 pi^2 + 16; two turns that rise by 3.
+// 2 pi; a quarter of a turn of radius 10, 5 pi, in two minutes; 10 pi in 2/3 of one; 5 pi and 15 pi
+// in a third; 5 pi and 4 across make the root of 25 pi^2 + 16; two turns that rise by 3.
 TEST(NgcModes, InverseTimeCountsTheWayAlongAnArc) {
   EXPECT_EQ(feeds("G93 G2 X2 I1 F2"), Lines{"6.283185307"});
   EXPECT_EQ(feeds("G93 G3 X-10 Y10 I-10 F0.5"), Lines{"7.853981634"});
@@ -91,6 +92,21 @@ TEST(NgcModes, ConstantSurfaceSpeedNeedsSAndASpindleThatTurns) {
   EXPECT_EQ(ending_of("G96 D2500"), "alarm b1 missing-word");
   EXPECT_EQ(ending_of("G96 S9 F9\nG0 X1\nG1 X2"), "alarm b3 spindle-stopped");
   EXPECT_EQ(ending_of("G97 S9 D9"), "alarm b1 unused-word");
+}
+
+// NIST 3.6.3, and LinuxCNC's page of M codes: the spindle is stopped when the change is complete.
+TEST(NgcModes, AToolChangeLeavesTheSpindleStopped) {
+  EXPECT_EQ(ending_of("M3 S9\nT1 M6\nG33 Z-5 K1"), "alarm b3 spindle-stopped");
+  EXPECT_EQ(ending_of("M3 S9\nM6 G33 Z-5 K1"), "alarm b2 spindle-stopped");
+  EXPECT_EQ(ending_of("G96 S9 F9 M4\nT1 M6\nG1 X1"), "alarm b3 spindle-stopped");
+  EXPECT_EQ(ending_of("F9 M3\nT1 M6\nG84 X1 Z-1 R2"), "alarm b3 spindle-stopped");
+  EXPECT_EQ(path("M3\nT1 M6\nG0 X[2+#<_spindle_on>]"), Lines{"rapid x2"});
+  // M3 comes behind M6 where both are in a block, and M61 changes no tool.
+  EXPECT_EQ(path("M3 M6 T1\nG0 X[2+#<_spindle_on>]"), Lines{"rapid x3"});
+  EXPECT_EQ(path("T1 M6\nM4\nG0 X[2+#<_spindle_on>] Y[2+#<_spindle_cw>]"), Lines{"rapid x3 y2"});
+  EXPECT_EQ(path("M3\nM61 Q2\nG0 X[2+#<_spindle_on>]"), Lines{"rapid x3"});
+  // What M70 saved had a spindle that turned.
+  EXPECT_EQ(ending_of("M3 M70\nT1 M6\nM72"), "not-covered b3 M");
 }
 
 // The documents: X1 moves the cutter to 0.5 from the centre.
@@ -145,6 +161,14 @@ TEST(NgcModes, M73RestoresWhereItsSubroutineEnds) {
             (Lines{"rapid x1", "rapid x2"}));
   EXPECT_EQ(path("M70\no1 sub\nG91\nM70\no1 endsub\nG0 X1\no1 call\nM72\nX1"),
             (Lines{"rapid x1", "rapid x1"}));
+}
+
+// LinuxCNC 2.9 prints X5 X10 X11: in the second pass G91 is in force again.
+TEST(NgcModes, M73RestoresWhereEachPassOfASubprogramEnds) {
+  EXPECT_EQ(path("G91\nM98 P1 L2\nG0 X1\nM2\nO1\n#1=[#1+1]\no2 if [#1 EQ 1]\nM73\nG90\n"
+                 "o2 endif\nG0 X5\nM99"),
+            (Lines{"rapid x5", "rapid x10", "rapid x11"}));
+  EXPECT_EQ(ending_of("M98 P1\nM2\nO1\nM73\nM3\nM99"), "not-covered b6 M73");
 }
 
 TEST(NgcModes, POfAnotherCodeNeedsNoMotion) {

@@ -131,12 +131,69 @@ TEST(NgcOWords, StylesOfSubprogramsDoNotMix) {
   EXPECT_EQ(ending_of("M98 P1\nM2\nO1\nG0 X1\nO1 endsub"), "alarm b1 syntax");
   EXPECT_EQ(ending_of("O1 call\nM2\nO1\nG0 X1\nM99"), "alarm b1 syntax");
   EXPECT_EQ(ending_of("O1 sub\nM99\nO1 endsub\nO1 call\nM2"), "alarm b2 syntax");
+  // No return ends what M98 has called, whatever its label and wherever it stands.
+  EXPECT_EQ(ending_of("#1=4\nM98 P100\nG0 X#1\nM30\nO100\nG0 Y1\no5 return\nM99"),
+            "alarm b7 syntax");
+  EXPECT_EQ(ending_of("M98 P1\nM2\nO1\no2 if [1]\no2 return [7]\no2 endif\nM99"),
+            "alarm b5 syntax");
+  EXPECT_EQ(ending_of("o5 sub\nM98 P1\no5 endsub\no5 call\nM2\nO1\no5 return\nM99"),
+            "alarm b7 syntax");
+  EXPECT_EQ(ending_of("M98 P1\nM2\nO1\nG0 X1\no5 endsub\nM99"), "alarm b5 syntax");
+  EXPECT_EQ(ending_of("M98 P1\nM2\nO1\nG0 X1\no1 return\nM99"), "alarm b1 syntax");
+  // One that it calls in the other style returns to it.
+  EXPECT_EQ(path("o5 sub\nG0 X#1\no5 return\no5 endsub\n#1=4\nM98 P1\nG0 Z#1\nM2\nO1\n"
+                 "o5 call [3]\nG0 Y#1\nM99"),
+            (Lines{"rapid x3", "rapid y4", "rapid z4"}));
   EXPECT_EQ(ending_of("M98"), "alarm b1 missing-word");
   EXPECT_EQ(ending_of("M98 P1 L-1"), "alarm b1 value-sign");
   EXPECT_EQ(ending_of("M98 P1.5"), "alarm b1 not-an-integer");
   EXPECT_EQ(ending_of("M98 P1\nM2"), "not-covered b1 M98");
   EXPECT_EQ(ending_of("G0 X1\nM99"), "not-covered b2 M99");
   EXPECT_EQ(ending_of("G0 X1 M98 P1\nM2\nO1\nM99"), "not-covered b1 M");
+}
+
+// As LinuxCNC 2.9 prints it: what has a name stays in the subprogram, #1 to #30 are those of the
+// lines that call.
+TEST(NgcOWords, ASubprogramHasNamesOfItsOwnAndTheNumbersOfItsCaller) {
+  EXPECT_EQ(ending_of("#<a>=3\nM98 P1\nM2\nO1\nG0 X#<a>\nM99"), "alarm b5 value-out-of-range");
+  EXPECT_EQ(ending_of("M98 P1\nG0 X#<a>\nM2\nO1\n#<a>=3\nM99"), "alarm b2 value-out-of-range");
+  EXPECT_EQ(path("#<a>=3 #<_b1>=4\nM98 P1\nG0 X#<a> Y#<_b1>\nM2\nO1\n#<a>=5 #<_b1>=6\nG0 X#<a>\n"
+                 "M99"),
+            (Lines{"rapid x5", "rapid x3 y6"}));
+  // Each pass of L has its own.
+  EXPECT_EQ(path("M98 P1 L2\nM2\nO1\nG91 G0 X[2+EXISTS[#<a>]]\n#<a>=5\nM99"),
+            (Lines{"rapid x2", "rapid x4"}));
+  EXPECT_EQ(path("o5 sub\nG0 X#1\nM98 P2\nG0 X#1\no5 endsub\n#1=1\no5 call [3]\nG0 Z#1\nM30\n"
+                 "O2\n#1=9\nG0 Y#1\nM99"),
+            (Lines{"rapid x3", "rapid y9", "rapid x9", "rapid z1"}));
+}
+
+// The documents: both are cleared just before the next call, and M98 returns no value.
+TEST(NgcOWords, M98ClearsTheValueThatWasReturned) {
+  const std::string returns = "o5 sub\no5 endsub [7]\no5 call\nG0 Z#<_value>\n";
+  EXPECT_EQ(path(returns + "M98 P1\nG0 X[2+#<_value>] Y[2+#<_value_returned>]\nM2\nO1\nM99"),
+            (Lines{"rapid z7", "rapid x2 y2"}));
+  EXPECT_EQ(path(returns + "M98 P1\nM2\nO1\nG0 X[2+#<_value>] Y[2+#<_value_returned>]\nM99"),
+            (Lines{"rapid z7", "rapid x2 y2"}));
+  // None is called.
+  EXPECT_EQ(path(returns + "M98 P1 L0\nG0 X#<_value>\nM2\nO1\nM99"),
+            (Lines{"rapid z7", "rapid x7"}));
+}
+
+// The documents have a subprogram behind the line that calls it, else an alarm; LinuxCNC 2.9 runs
+// one that has run already.
+TEST(NgcOWords, ASubprogramBeforeItsCallRunsOrAlarms) {
+  const std::string first = "M98 P100\nM30\nO200\nG0 X1\nM99\nO100\nM98 P200\nM99";
+  const std::string again = "M98 P200\nM98 P100\nM30\nO200\nG91 G0 X1\nM99\nO100\nM98 P200\nM99";
+  const Profile runs = ngc({{"ngc.m98-before", "runs"}});
+  const Profile alarms = ngc({{"ngc.m98-before", "syntax"}});
+  EXPECT_EQ(path(first, runs), Lines{"rapid x1"});
+  EXPECT_EQ(ending_of(first, alarms), "alarm b7 syntax");
+  EXPECT_EQ(path(again, runs), (Lines{"rapid x1", "rapid x2"}));
+  EXPECT_EQ(ending_of(again, alarms), "alarm b8 syntax");
+  EXPECT_EQ(touched(first), Lines{"ngc.m98-before"});
+  // Behind every call of it.
+  EXPECT_EQ(touched("M98 P100\nM98 P200\nM30\nO100\nM98 P200\nM99\nO200\nG0 X1\nM99"), Lines{});
 }
 
 }  // namespace

@@ -68,6 +68,39 @@ TEST(NgcOffsets, ReferencePointsAreTheMachines) {
   EXPECT_EQ(path("G0 X1\nG28.1\nX2\nG28 X3").back(), "rapid x1");
 }
 
+// NIST 3.5.8: the reference point is reached along all axes, whichever the block names.
+TEST(NgcOffsets, AxesWithoutAWordGoToTheReferencePointOrStay) {
+  const Profile all = ngc({{"ngc.g28-axes", "all"}});
+  const Profile named = ngc({{"ngc.g28-axes", "named"}});
+  const std::string program = "G0 X1 Y2 Z3\nG28 Z5\nM2";
+  EXPECT_EQ(path(program, named), (Lines{"rapid x1 y2 z3", "rapid z5", "rapid z0"}));
+  EXPECT_EQ(path(program, all), (Lines{"rapid x1 y2 z3", "rapid z5", "rapid x0 y0 z0 a0 c0"}));
+  EXPECT_EQ(touched(program), Lines{"ngc.g28-axes"});
+  // The others are there, all are named, or none is.
+  EXPECT_EQ(touched("G0 Z3\nG28 Z5\nM2"), Lines{});
+  EXPECT_EQ(touched("G0 X1\nG28 X2 Y2 Z2 A0 C0\nM2"), Lines{});
+  EXPECT_EQ(touched("G0 X1\nG28\nM2"), Lines{});
+  EXPECT_EQ(touched("G0 X1\nG28 G0 Z2\nM2"), Lines{});  // an alarm under both
+  // X and Y are turned by 17 degrees, whose sine is no root: they are not compared.
+  EXPECT_EQ(path("G10 L2 P1 X5 R17\nG0 X1 Y2\nG28 X3 Y3\nM2").size(), 3U);
+}
+
+TEST(NgcOffsets, P0OfG10L2IsTheSystemInForceOrAnAlarm) {
+  const std::string program = "G10 L2 P0 X5\nG0 X1\nM2";
+  EXPECT_EQ(path(program, ngc({{"ngc.g10-p0", "in-force"}})), Lines{"rapid x6"});
+  EXPECT_EQ(ending_of(program, ngc({{"ngc.g10-p0", "alarm"}})), "alarm b1 value-out-of-range");
+  EXPECT_EQ(touched(program), Lines{"ngc.g10-p0"});
+  EXPECT_EQ(touched("G10 L2 P1 X5\nG10 L20 P0 X5\nM2"), Lines{});
+}
+
+TEST(NgcOffsets, G43WithoutHTakesTheLoadedToolOrIsAnAlarm) {
+  const Profile loaded = machine({{"ngc.g43-without-h", "loaded"}});
+  const Profile needed = machine({{"ngc.g43-without-h", "missing-word"}});
+  EXPECT_EQ(path("T1 M6\nG43\nG0 Z2", loaded), Lines{"rapid z42"});
+  EXPECT_EQ(ending_of("T1 M6\nG43\nG0 Z2", needed), "alarm b2 missing-word");
+  EXPECT_EQ(path("G43 H1\nG0 Z2", needed), Lines{"rapid z42"});
+}
+
 TEST(NgcOffsets, G53HasNoOffsets) {
   EXPECT_EQ(path("G55 G43 H1 G0 X1 Z1\nG53 X2 Z2\nX3", machine()),
             (Lines{"rapid x51 z41", "rapid x2 z2", "rapid x53"}));
@@ -137,6 +170,10 @@ TEST(NgcOffsets, G10SetsWhatAToolMovesTheAxesBy) {
   EXPECT_EQ(ending_of("G10 L1 P2 Z5", machine()), "alarm b1 no-tool");
   EXPECT_EQ(ending_of("G10 L0", machine()), "not-covered b1 G10");
   EXPECT_EQ(ending_of("G10 L2 P1 X1 I1"), "alarm b1 unused-word");
+  // What nothing uses may be passed over, and changes nothing then.
+  const Profile ignores = ngc({{"ngc.unused-words", "ignored"}});
+  EXPECT_EQ(path("G10 L2 P1 X5 I3 J4 Q2\nG0 X1", ignores), Lines{"rapid x6"});
+  EXPECT_EQ(path("G0 X1\nG10 L20 P1 X5 R90 I3\nX6", ignores), (Lines{"rapid x1", "rapid x2"}));
 }
 
 TEST(NgcOffsets, G43Point2AddsToTheToolLength) {

@@ -87,6 +87,9 @@ TEST(OtherClasses, OfTwoCodesOfOneGroup) {
   EXPECT_EQ(admitted("M3 M4\n"), two);
   // Beside a code that is unknown.
   EXPECT_EQ(admitted("G80 G0 G69\n"), with(two, {"undefined-code"}));
+  // Two codes that take one axis word.
+  EXPECT_EQ(admitted("G28 G0 X0\n"), two);
+  EXPECT_EQ(admitted("G92 G1 X0 F9\n"), two);
   // An address that stands twice is no code.
   EXPECT_EQ(admitted("G0 X1 X2\n"), Classes{"duplicate-word"});
 }
@@ -101,6 +104,7 @@ TEST(OtherClasses, OfWordsThatTheMotionDoesNotTake) {
 
 TEST(OtherClasses, OfWhatIsMissingAndOfArcs) {
   EXPECT_EQ(admitted("G10 L2 X1\n"), (Classes{"missing-word", "value-out-of-range"}));
+  EXPECT_EQ(admitted("G0 X#<a>\n"), (Classes{"missing-word", "value-out-of-range"}));
   EXPECT_EQ(admitted("G1 X1\n"), (Classes{"feed-missing", "missing-word"}));
   EXPECT_EQ(admitted("M3\nG33 Z-1\n"), (Classes{"lead-missing", "missing-word"}));
   EXPECT_EQ(admitted("F100\nG2 X9 R1\n"), (Classes{"arc-radius", "arc-end-point"}));
