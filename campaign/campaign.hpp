@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A campaign: a subject against a corpus, to a result file that no subject can keep incomplete. The
-// cases stream from the corpus to the workers and out of them to the results; none is kept.
+// A campaign: a subject against a corpus, into a results file that no subject can keep incomplete.
+// The cases stream from the corpus to the workers and from them to the results; none is kept.
 #pragma once
 
 #include <functional>
@@ -43,8 +43,8 @@ struct CampaignOptions {
   // Cases of a resumed run that have results already; null: none.
   std::function<bool(std::string_view id)> is_done;
 
-  // Whether nothing is omitted by choice, except by sharding. A profile or readings that the
-  // subject follows omit nothing that it could run.
+  // Whether no case is left out by choice, except by sharding. A profile, and readings that the
+  // subject follows, leave out nothing that it could run.
   bool is_whole() const { return !is_part() && !fail_fast; }
   // Only some cases of the dialects were asked for.
   bool is_part() const {
@@ -52,12 +52,12 @@ struct CampaignOptions {
   }
 };
 
-// What the case lines do not say of a campaign.
+// What a campaign has besides its case lines.
 struct CampaignEnd {
   std::size_t cases = 0;     // selected, those that were done before among them
   std::size_t left_out = 0;  // contradict the certifier's profile
   bool complete = true;      // not stopped at the first NO-GO
-  // Known failures that are of no case in the corpus, or of more than one of them may be.
+  // Known failures that belong to no case in the corpus, or to more cases than one of them may.
   std::vector<std::string> stale;
 };
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "oracle/records/finding.hpp"
-#include "oracle/records/text.hpp"
 #include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
@@ -201,13 +200,12 @@ bool CaseJudge::settle_flaky(const Case& test, const Tolerances& tolerances, Att
     ++failures;
   }
   Verdict& verdict = attempt.session.verdict;
-  const std::string count = fmt::format("{} of {} runs failed so", failures, known->flaky->runs);
   if (failures <= known->flaky->failures) {
     known->make_known(verdict);
-    attempt.end.notes += fmt::format("{}{}.", attempt.end.notes.empty() ? "" : "\n", count);
+    attempt.end.notes += fmt::format("{}{}.", attempt.end.notes.empty() ? "" : "\n",
+                                     failed_runs(failures, *known->flaky));
   } else {
-    verdict.message += fmt::format(" {}; it is known to fail in at most {} of them ({}).", count,
-                                   known->flaky->failures, visible(known->reason));
+    verdict.message += known->beyond_flaky(failures);
   }
   return true;
 }
@@ -220,7 +218,7 @@ void CaseJudge::confirm(const Case& test, const Tolerances& tolerances, Attempt&
   if (again.end.given_up || settle_memory(attempt, again)) return;
   if (again.session.verdict.kind == VerdictKind::timeout) {
     // No answer is no other answer.
-    attempt.session.verdict.message += " A fresh process gave no answer in time.";
+    attempt.session.verdict.message += kNoAnswerAgain;
     return;
   }
   if (!attempt.differs(again)) {

@@ -9,6 +9,9 @@
 
 namespace gonogo::oracle {
 
+// Behind the message of a departure whose second run came to no answer.
+inline constexpr std::string_view kNoAnswerAgain = " A fresh process gave no answer in time.";
+
 class CaseJudge {
  public:
   // `options` and `make_subject` must outlive it. Throws SubjectUnusable.
@@ -25,8 +28,8 @@ class CaseJudge {
   // cannot be known yet: the case has another profile than the one that was prepared.
   bool announce(const Case& test);
   CaseResult judge(const Case& test);
-  // After the last case, which was no NO-GO: ends the subject. A breakdown in that belongs to this
-  // case, since no other follows.
+  // After the last case, which was no NO-GO: ends the subject. If it breaks down in that, the
+  // breakdown belongs to this case, since no other follows.
   void finish(const Case& test, CaseResult& result);
 
  private:

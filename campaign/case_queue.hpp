@@ -19,7 +19,7 @@ namespace gonogo::oracle {
 
 class CaseQueue {
  public:
-  // What of a case of the corpus is to be run; nothing: not this one.
+  // The case to run for a case of the corpus; nothing: it is not run.
   using Select = std::function<std::optional<Case>(Case)>;
 
   // Begins to read the cases of these dialects (none: of all), in the order of the seed. The corpus

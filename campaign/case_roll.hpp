@@ -14,9 +14,9 @@
 
 namespace gonogo::oracle {
 
-// In what a case line differs from what the corpus and the header make of the case: dialect, cycle,
-// features, clauses, profile, program, expected gap. A sentence; empty: in nothing. `test` is the
-// case as it was run.
+// In what a case line differs from the case that follows from the corpus and the header: dialect,
+// cycle, features, clauses, profile, program, expected gap; or that it is neither GO nor skipped
+// and has no trace. A sentence; empty: in nothing. `test`: the case as it was run.
 std::string line_fault(const Case& test, const ResultsReader::Json& line);
 
 // Checks that a run has all its cases (J-RUN-13). Lines come in the order of their ids; the corpus
@@ -35,7 +35,7 @@ class CaseRoll {
   // After the last line.
   void finish();
 
-  // Sentences: lines that are missing, too many, or of another case than they say.
+  // Sentences: lines that are missing, too many, or of another case than they name.
   const std::vector<std::string>& faults() const { return faults_; }
   // Cases that contradict the certifier's profile.
   std::size_t left_out() const { return left_out_; }

@@ -38,6 +38,19 @@ void KnownFailure::make_known(Verdict& known) const {
   known.kind = VerdictKind::xfail;
 }
 
+std::string KnownFailure::pass_message() const {
+  return fmt::format("Known to fail with {} ({}), but it passes.", name(verdict), visible(reason));
+}
+
+std::string failed_runs(int failures, const Flaky& flaky) {
+  return fmt::format("{} of {} runs failed so", failures, flaky.runs);
+}
+
+std::string KnownFailure::beyond_flaky(int runs_that_failed) const {
+  return fmt::format(" {}; it is known to fail in at most {} of them ({}).",
+                     failed_runs(runs_that_failed, *flaky), flaky->failures, visible(reason));
+}
+
 void KnownFailures::note_case(const std::string& id) {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (entries_[i].covers(id)) ++cases_[i];
@@ -56,8 +69,7 @@ void KnownFailures::apply(CaseResult& result) const {
     }
     if (answer == Decision::go) {
       verdict.kind = VerdictKind::xpass;
-      verdict.message = fmt::format("Known to fail with {} ({}), but it passes.",
-                                    name(entry.verdict), visible(entry.reason));
+      verdict.message = entry.pass_message();
       result.readings.reset();  // any reading may explain it
       return;
     }

@@ -50,7 +50,7 @@ struct KnownCause {
   std::vector<Failure> failures;
 };
 std::variant<std::vector<KnownCause>, FileFault> known_causes_from_toml(std::string_view text);
-// The inverse of it, except comments and the order of keys.
+// The inverse, except for comments and the order of keys.
 std::string known_causes_text(const std::vector<KnownCause>& causes);
 
 // One glob of a failure. A glob of wildcards alone is refused, and one that covers more than
@@ -67,9 +67,16 @@ struct KnownFailure {
   bool covers(const std::string& id) const;
   // Whether the verdict is the one that is known.
   bool is(const Verdict& verdict) const;
-  // Makes the verdict that is known an xfail, which says why and what it departs by.
+  // Makes the known verdict an xfail, which says why it is known and how the case departs.
   void make_known(Verdict& verdict) const;
+  // The message of a case that passes though it is known to fail.
+  std::string pass_message() const;
+  // Behind the message of a case of which so many runs failed, more than a flaky entry allows.
+  // REQUIRES: it is flaky.
+  std::string beyond_flaky(int runs_that_failed) const;
 };
+// "1 of 4 runs failed so"
+std::string failed_runs(int failures, const Flaky& flaky);
 std::vector<KnownFailure> entries_of(const std::vector<KnownCause>& causes);
 std::variant<std::vector<KnownFailure>, FileFault> known_failures_from_toml(std::string_view text);
 
@@ -83,9 +90,9 @@ class KnownFailures {
   void note_case(const std::string& id);
   // May be called by several threads at once, also while cases are noted.
   void apply(CaseResult& result) const;
-  // Whether a pass of the case is none: an entry that is not flaky covers it.
+  // Whether a pass of the case contradicts an entry: one that is not flaky covers it.
   bool must_fail(const std::string& id) const;
-  // The entry by which the case fails so now and then; null: there is none.
+  // The flaky entry for such a failure of the case; null: there is none.
   const KnownFailure* flaky_entry(const std::string& id, const Verdict& verdict) const;
   // Entries that are of no case of the corpus, or of too many, as sentences.
   std::vector<std::string> stale() const;

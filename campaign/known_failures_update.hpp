@@ -20,8 +20,8 @@ class KnownFailuresUpdate {
  public:
   explicit KnownFailuresUpdate(std::vector<KnownCause> before);
 
-  // A case line of the run, with its verdict there. `finding`: the one that it belongs to; null: it
-  // is none.
+  // A case line of the run, with its verdict there. `finding`: the finding to which it belongs;
+  // null: none.
   void add(const CaseFacts& facts, VerdictKind kind, const Finding* finding);
 
   struct Result {

@@ -184,6 +184,21 @@ std::uint64_t common_seed(const std::map<unsigned, Shard>& shards) {
   return is_common ? seed : 0;
 }
 
+// What each shard was run with: fresh programs are drawn from its own seed, and its command line
+// has the files and limits of the run. A file that was merged before keeps what it says of its own.
+Json shards_json(const std::map<unsigned, Shard>& shards) {
+  Json list = Json::array();
+  for (const auto& [number, shard] : shards) {
+    if (shards.size() == 1 && shard.header.contains("shards")) return shard.header["shards"];
+    list.push_back(
+        {{"shard", fmt::format("{}/{}", number, shard.of)},
+         {"seed", shard.header.value("seed", std::uint64_t{0})},
+         {"argv", shard.header.value("argv", Json::array())},
+         {"fresh", shard.footer.value_or(Json::object()).value("fresh", Json::object())}});
+  }
+  return list;
+}
+
 void add_lines(const Shard& shard, ResultsWriter& writer) {
   ResultsReader reader = open(shard.path);
   for (CaseHead head; reader.next(head);) {
@@ -227,6 +242,7 @@ MergeOutcome merge_results(const MergeOptions& options) {
   header["shard"] = "1/1";
   header["argv"] = options.argv;
   header["seed"] = common_seed(shards);
+  header["shards"] = shards_json(shards);
   ResultsWriter writer(options.out, header.dump());
   for (const auto& [number, shard] : shards) add_lines(shard, writer);
   if (outcome.missing.empty()) {

@@ -31,8 +31,8 @@ std::optional<OpenReadings> open_readings(const SessionVerdict& session);
 // Its memory grows with the number of different sets of assignments, not with that of the cases.
 class ReadingTally {
  public:
-  // Takes a passed case in. A conflict when no assignment is left that explains it and all before;
-  // the case is then left out.
+  // Takes a passed case. A conflict when no assignment is left that explains this case and all
+  // before; the case is then left out.
   std::optional<ReadingConflict> add(const std::string& id, const OpenReadings& readings);
   // "gsk.pocket.end=initial gsk.x-depth=radius", sorted; empty when no reading was open.
   std::vector<std::string> texts() const;

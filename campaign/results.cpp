@@ -32,17 +32,6 @@ Json dialects_json(const SubjectInfo& subject) {
   return dialects;
 }
 
-Json capped_json(const ResultsHeader& header) {
-  Json list = Json::array();
-  for (const auto& [dialect, one] : header.capped) {
-    list.push_back({{"dialect", dialect},
-                    {"what", one.what},
-                    {"declared", one.declared.text()},
-                    {"counts", one.counts.text()}});
-  }
-  return list;
-}
-
 Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
@@ -70,6 +59,17 @@ Json selection_json(const ResultsHeader& header) {
 
 }  // namespace
 
+Json capped_json(const std::vector<std::pair<std::string, Capped>>& capped) {
+  Json list = Json::array();
+  for (const auto& [dialect, one] : capped) {
+    list.push_back({{"dialect", dialect},
+                    {"what", one.what},
+                    {"declared", one.declared.text()},
+                    {"counts", one.counts.text()}});
+  }
+  return list;
+}
+
 std::string header_line(const ResultsHeader& header) {
   Json line;
   line["format"] = kResultsFormat;
@@ -96,7 +96,7 @@ std::string header_line(const ResultsHeader& header) {
   if (!header.blend.empty()) line["blend"] = header.blend;
   if (!header.feed_tolerance.empty()) line["feed_tolerance"] = header.feed_tolerance;
   if (header.show_ids) line["show_ids"] = true;
-  line["capped"] = capped_json(header);
+  line["capped"] = capped_json(header.capped);
   line["selection"] = selection_json(header);
   line["known_failures"] = text_or_null(header.known_failures_sha256);
   line["alarm_map"] = text_or_null(header.alarm_map_sha256);

@@ -94,6 +94,8 @@ struct ResultsFooter {
 };
 
 std::string header_line(const ResultsHeader& header);
+// The key `capped` of the header.
+nlohmann::ordered_json capped_json(const std::vector<std::pair<std::string, Capped>>& capped);
 std::string footer_line(const ResultsFooter& footer);
 // The key `coordinates` of the footer.
 nlohmann::ordered_json coordinates_json(const std::map<std::string, RoundingCensus>& coordinates);
@@ -105,9 +107,9 @@ std::string case_line(const CaseResult& result, bool with_timing);
 std::string line_without_timing(std::string_view line);
 // Takes a case line, as written here, into the hash of the footer.
 void hash_case_line(std::string_view line, Sha256& hash);
-// A case line as it is in a run where the readings leave the case the verdict `kind`, for the
-// `conflict` of the run. Program and trace of a pass stay only where it may still come to another
-// verdict: with other shards.
+// A case line of a run whose readings leave the case the verdict `kind`, for the `conflict` of the
+// run. A pass keeps program and trace only where it may still come to another verdict, with other
+// shards.
 enum class PassEvidence { keep, drop };
 std::string reconciled_line(const std::string& line, VerdictKind kind,
                             const std::optional<ReadingConflict>& conflict, PassEvidence evidence);

@@ -35,8 +35,8 @@ class ResultsReader {
   const std::string& path() const { return path_; }
   const Json& header() const { return header_; }
   // The next case line: what lists show of it. False after the last. Throws ResultsError for a line
-  // that is cut off, is no JSON, is neither case nor footer, names no verdict, stands there twice
-  // or out of order, and for a footer whose hash or number of cases the lines do not have.
+  // that is cut off, is no JSON, is neither case nor footer, names no verdict, comes twice or out
+  // of order, and for a footer whose hash or number of cases differs from the lines.
   bool next(CaseHead& head);
   // The same: the whole line.
   bool next(Json& line);

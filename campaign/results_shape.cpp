@@ -30,6 +30,15 @@ constexpr Kind kCount = {"count", [](const Json& value) { return value.is_number
 constexpr Kind kObject = {"object", [](const Json& value) { return value.is_object(); }};
 constexpr Kind kList = {"list", [](const Json& value) { return value.is_array(); }};
 constexpr Kind kTexts = {"list of texts", are_texts};
+constexpr Kind kShards = {
+    "list of shards", [](const Json& value) {
+      return value.is_array() && std::ranges::all_of(value, [](const Json& one) {
+               return one.is_object() && one.value("shard", Json()).is_string() &&
+                      kCount.holds(one.value("seed", Json())) &&
+                      are_texts(one.value("argv", Json())) &&
+                      kObject.holds(one.value("fresh", Json()));
+             });
+    }};
 constexpr Kind kTextsByName = {
     "object of lists of texts", [](const Json& value) {
       return value.is_null() || (value.is_object() && std::ranges::all_of(value, are_texts));
@@ -80,7 +89,8 @@ constexpr Member kHeader[] = {{nullptr, "gonogo", kText},
                               {nullptr, "alarm_map", kText},
                               {nullptr, "seed", kCount},
                               {nullptr, "shard", kText},
-                              {nullptr, "argv", kTexts}};
+                              {nullptr, "argv", kTexts},
+                              {nullptr, "shards", kShards}};
 
 constexpr Member kFooter[] = {{nullptr, "decision", kText},     {nullptr, "head", kText},
                               {nullptr, "totals", kCounts},     {nullptr, "cases", kCount},

@@ -218,7 +218,7 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
   Sorted out(path_);
   out.put(header_);
   Sha256 hash;
-  Tally tally;
+  Tally tally(declared_in(Json::parse(header_)));
   const PassEvidence evidence = ending.is_shard ? PassEvidence::keep : PassEvidence::drop;
   std::set<std::string> mapped;
   std::string last;
@@ -238,7 +238,7 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
     if (visit) visit(written, kind);
   });
   if (visited != added) {
-    throw ResultsUnwritable(fmt::format("Of {} cases {} were read back", added, visited));
+    throw ResultsUnwritable(fmt::format("{} of {} cases were read back", visited, added));
   }
   footer.left_out = ending.left_out;
   footer.stale = ending.stale;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Writes results.jsonl. Until all is there <path>.part is the journal: the header and the case
-// lines in the order in which they come, from which an interrupted run goes on. Only such a run
-// reads it: what is decided is decided from the lines as they were added.
+// lines as they come. Only an interrupted run that goes on reads it: everything is decided from the
+// lines as they were added.
 #pragma once
 
 #include <filesystem>
@@ -51,7 +51,7 @@ class ResultsWriter {
   // Both throw ResultsUnwritable; what came before is kept.
   void add(const CaseResult& result);
   void add_line(std::string_view line);
-  // A program that is in no corpus. A run that goes on draws its own: the journal has none.
+  // A fresh program. The journal has none: a run that goes on draws its own.
   void add_fresh(const CaseResult& result) { lines_.add(case_line(result, true)); }
 
   // What the cases come to so far, before the readings of the run are reconciled.
@@ -68,7 +68,7 @@ class ResultsWriter {
     std::vector<std::string> stale;  // except for alarms
     // All entries of the alarm map, when every case of the dialects was asked for.
     std::optional<std::vector<std::string>> alarms;
-    // With shards, whose cases may meet what those of this one did not.
+    // The other shards of a shard may have cases that meet what its own did not.
     bool is_shard = false;
     FreshCounts fresh;
     bool is_complete = true;  // else there are cases to come, and the file has no footer

@@ -9,6 +9,7 @@
 
 #include "campaign/results_reader.hpp"
 #include "corpus/io/sha256.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::oracle {
 
@@ -79,6 +80,7 @@ CampaignOptions asked_in(const Json& header) try {
   const Json one = selection.value("case", Json());
   if (one.is_string()) asked.cases = {one.get<std::string>()};
   asked.readings = header.value("readings", std::vector<std::string>());
+  asked.seed = header.value("seed", std::uint64_t{0});
   const auto shard = header.at("shard").get<std::string>();
   char rest = 0;
   if (std::sscanf(shard.c_str(), "%u/%u%c", &asked.shard, &asked.shards, &rest) != 2 ||
@@ -111,6 +113,23 @@ bool is_selected(const CampaignOptions& options, const Case& test) {
   }
   if (options.shards > 1 && shard_of(test.id, options.shards) != options.shard) return false;
   return matches(options.only, test.id);
+}
+
+CappedDeclarations capped_declarations(const CampaignOptions& options, const SubjectInfo& subject) {
+  CappedDeclarations found;
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    const std::string name(dialect.name);
+    const bool asked = options.dialects.empty() ||
+                       std::ranges::find(options.dialects, name) != options.dialects.end();
+    if (!asked || !subject.declares(name, "")) continue;
+    const bool is_set = options.profile && options.profile->dialect == name;
+    const auto machine =
+        is_set ? *options.profile : std::get<reference::Profile>(reference::default_profile(name));
+    for (Capped& one : capped(subject, machine, options.grants)) {
+      found.emplace_back(name, std::move(one));
+    }
+  }
+  return found;
 }
 
 std::optional<Case> under(const CampaignOptions& options, Case test) {

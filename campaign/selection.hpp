@@ -4,6 +4,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "campaign/campaign.hpp"
 
@@ -14,9 +17,14 @@ unsigned shard_of(std::string_view id, unsigned shards);
 
 bool is_selected(const CampaignOptions& options, const Case& test);
 
-// What the header of a results file says of it: selection, shard, profile and readings. Throws
-// ResultsError.
+// What the header of a results file says of it: selection, shard, seed, profile and readings.
+// Throws ResultsError.
 CampaignOptions asked_in(const nlohmann::ordered_json& header);
+
+// By dialect: what the subject declares and the machine, as it is without the profiles of the
+// cases, does not admit (J-RUN-02).
+using CappedDeclarations = std::vector<std::pair<std::string, Capped>>;
+CappedDeclarations capped_declarations(const CampaignOptions& options, const SubjectInfo& subject);
 
 // The case under the certifier's profile and readings; nothing when they contradict its own.
 std::optional<Case> under(const CampaignOptions& options, Case test);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "campaign/reading_tally.hpp"
@@ -20,7 +21,7 @@
 
 namespace gonogo::oracle {
 
-// What of a case the answer of a run depends on.
+// The facts of a case on which the answer of a run depends.
 struct CaseFacts {
   std::string id;
   std::string dialect;
@@ -59,6 +60,11 @@ struct RunAnswer {
 
 class Tally {
  public:
+  Tally() = default;
+  // `subject`: what it declares, where that is known (RunScope).
+  explicit Tally(std::optional<SubjectInfo> subject) {
+    answer_.scope = RunScope(std::move(subject));
+  }
   // Cases in the order of their ids. Returns the verdict of the case in the run: its own, or
   // fail.reading when no assignment explains it and all before, which may be known (J-RUN-17).
   VerdictKind add(const CaseFacts& facts);

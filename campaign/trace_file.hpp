@@ -26,7 +26,7 @@ class TraceFile {
   void record(const reference::Record& record);
   // At the end of the run. Throws ResultsUnwritable.
   void finish(const RunEnd& end);
-  // For the run that counts: keeps the file when the run had an outcome, be it one that was cut
+  // For the run that counts: keeps the file when the run had an outcome, also one that was cut
   // short because nothing could change the verdict any more; a crash, a timeout or a skip leaves
   // none. Throws ResultsUnwritable.
   void keep();

@@ -151,7 +151,7 @@ StepAnswer MotionMatch::check_words(const Motion& got) const {
   if (both_arcs) {
     if (agree(want_.to, got.to, tolerances_.tolerance) == Truth::no)
       return departs("the ends differ");
-    return undecided("an arc is told in another form");
+    return undecided("an arc comes in another form");
   }
   const bool line_and_arc3 = (want.kind == RecordKind::feed && have.kind == RecordKind::arc3) ||
                              (want.kind == RecordKind::arc3 && have.kind == RecordKind::feed);

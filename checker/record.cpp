@@ -132,7 +132,7 @@ std::string text(const Record& record) {
   line += " to " + text(record.to);
   const bool cuts = record.kind == RecordKind::feed || record.kind == RecordKind::arc ||
                     record.kind == RecordKind::arc3;
-  if (cuts) line += " f " + record.feed.text() + (record.per_revolution ? " mm/rev" : "");
+  if (cuts) line += " f " + record.feed.text() + (record.per_revolution ? " per revolution" : "");
   if (record.kind == RecordKind::arc) {
     line += " rot " + std::to_string(record.rotation) + " about " + text(record.centre);
   }

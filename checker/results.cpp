@@ -139,9 +139,17 @@ void ResultsFile::check_footer() {
     fault("The footer counts another number of cases than the file has.");
   }
   check_decision();
+  check_head();
 }
 
 namespace {
+
+// 18,000
+std::string grouped(std::size_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
+  return digits;
+}
 
 // Fewer than a tenth were judged of fifty fresh programs of a dialect or more.
 bool answers_by_heart(const Json& footer) {
@@ -171,6 +179,25 @@ void ResultsFile::check_decision() {
     fault("The footer decides " + footer_->text_of("decision") + "; the lines make it " +
           std::string(decision) + ".");
   }
+}
+
+// Decision and counts; the features that it names are not derived here.
+void ResultsFile::check_head() {
+  const Json* head = footer_->find("head");
+  if (head == nullptr || !head->is(Json::Kind::text)) return;
+  std::size_t go = 0;
+  std::size_t no_go = 0;
+  for (const auto& [verdict, count] : totals_) {
+    if (decision_of(verdict) == Decision::go) go += count;
+    if (decision_of(verdict) == Decision::no_go) no_go += count;
+  }
+  const std::string& decision = footer_->text_of("decision");
+  const std::string counts =
+      (no_go == 0 ? " " : " " + grouped(go) + " of ") + grouped(go + no_go) + " judged";
+  const bool begins =
+      head->text.starts_with(decision + ":") || head->text.starts_with(decision + " for ");
+  if (begins && head->text.find(counts) != std::string::npos) return;
+  fault("The head line of the footer does not say " + decision + " and" + counts + ".");
 }
 
 }  // namespace gonogo::checker

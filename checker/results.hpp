@@ -44,6 +44,7 @@ class ResultsFile {
   void note_case(const Json& line);
   void check_footer();
   void check_decision();
+  void check_head();
   void fault(const std::string& sentence);
 
   std::string path_;

@@ -84,10 +84,10 @@ bool join(Json& into, const Json& from) {
 
 // The families of readings; some of SINUMERIK are of the 802S alone.
 bool is_of(const std::string& reading, const std::string& dialect) {
-  constexpr std::array<std::string_view, 10> kBoth = {
-      "sie.arc.correct", "sie.cr.tolerance",  "sie.arc.plane", "sie.ar.zero",
-      "sie.ap.g91",      "sie.cip.collinear", "sie.spindle",   "sie.initial-motion",
-      "sie.g70.f",       "sie.feed-change"};
+  constexpr std::array<std::string_view, 11> kBoth = {
+      "sie.arc.correct",    "sie.cr.tolerance",    "sie.arc.plane",     "sie.ar.zero",
+      "sie.ap.g91",         "sie.pole.same-plane", "sie.cip.collinear", "sie.spindle",
+      "sie.initial-motion", "sie.g70.f",           "sie.feed-change"};
   if (reading.starts_with("gsk.")) return dialect == "gsk988ta";
   if (reading.starts_with("hnc.")) return dialect == "hnc21t";
   if (reading.starts_with("ngc.")) return dialect == "rs274";
@@ -276,9 +276,9 @@ void Roll::check_words(const Json& line, const Vector& vector) const {
     throw Fault("The program of the line is not that of the vector.");
   }
   const auto decision = decision_of(verdict);
-  const bool needs_program =
-      decision == Decision::no_go || decision == Decision::undecided || verdict == "advice";
+  const bool needs_program = decision != Decision::go && verdict != "skip";
   if (program == nullptr && needs_program) throw Fault("The line has no program.");
+  if (line.find("trace") == nullptr && needs_program) throw Fault("The line has no trace.");
   const std::string want = text_at(line, "want");
   if (!want.empty() && want == text_at(line, "got"))
     throw Fault("It departs, and got what it wanted.");

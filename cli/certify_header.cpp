@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/certify_header.hpp"
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
+#include "campaign/selection.hpp"
 #include "cli/gauge.hpp"
 #include "cli/options.hpp"
 #include "cli/program_file.hpp"
 #include "cli/sandbox_options.hpp"
 #include "cli/version.hpp"
 #include "corpus/io/sha256.hpp"
-#include "reference/dialect.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -22,26 +18,6 @@ std::string sha256_of(const std::string& path) {
   oracle::Sha256 hash;
   hash.update(read_file(path, "a file"));
   return hash.hex();
-}
-
-// What the subject declares and the machine of each dialect, as it is without the profiles of the
-// cases, does not admit.
-std::vector<std::pair<std::string, oracle::Capped>> capped_declarations(
-    const oracle::CampaignOptions& campaign, const oracle::SubjectInfo& info) {
-  std::vector<std::pair<std::string, oracle::Capped>> found;
-  for (const reference::Dialect& dialect : reference::dialects()) {
-    const std::string name(dialect.name);
-    const bool asked = campaign.dialects.empty() ||
-                       std::ranges::find(campaign.dialects, name) != campaign.dialects.end();
-    if (!asked || !info.declares(name, "")) continue;
-    const bool is_set = campaign.profile && campaign.profile->dialect == name;
-    const auto machine =
-        is_set ? *campaign.profile : std::get<reference::Profile>(reference::default_profile(name));
-    for (oracle::Capped& one : oracle::capped(info, machine, campaign.grants)) {
-      found.emplace_back(name, std::move(one));
-    }
-  }
-  return found;
 }
 
 }  // namespace
@@ -84,7 +60,7 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   }
   header.show_ids = campaign.limits.show_ids;
   header.seed = campaign.seed;
-  header.capped = capped_declarations(campaign, info);
+  header.capped = oracle::capped_declarations(campaign, info);
   header.shard = options.shard;
   header.argv = options.argv;
   return header;

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "campaign/results_reader.hpp"
 #include "campaign/selection.hpp"
@@ -25,7 +27,7 @@
 namespace gonogo::cli {
 namespace {
 
-// An unknown reading is refused in the same words by every dialect.
+// A word that is no key=value is refused in the same words by every dialect.
 constexpr std::string_view kAnyDialect = "gsk988ta";
 
 // What the files of the subject say of it.
@@ -36,7 +38,7 @@ void read_subject_files(const CertifyOptions& options, oracle::CampaignOptions& 
   campaign.alarm_map = load_alarm_map(options.alarm_map);
 }
 
-// Of the dialects that are judged.
+// The cycles of the dialects that are judged.
 std::set<std::string> cycles_of(const CertifyOptions& options, const oracle::Corpus& corpus) {
   std::set<std::string> known;
   oracle::CaseReader reader(corpus, oracle::Detail::to_run);
@@ -67,6 +69,27 @@ std::string subject_of(const oracle::ResultsReader& results, const std::string& 
                   path, oracle::shell_quoted(spec), oracle::shell_quoted(path)));
 }
 
+// The dialect of the readings whose names begin so; empty: there is none.
+std::string dialect_of_room(const std::string& name) {
+  const std::string room = name.substr(0, name.find('.')) + ".";
+  const auto found = std::ranges::find_if(reference::readings(), [&](const auto& reading) {
+    return std::string_view(reading.name).starts_with(room);
+  });
+  return found == reference::readings().end() ? std::string() : std::string(found->dialect);
+}
+
+// A name that no reading has, in the dialect of the run, else in that of its room.
+[[noreturn]] void refuse_reading(const CertifyOptions& options, const std::string& name,
+                                 const std::string& choice) {
+  const std::string dialect =
+      options.dialects.size() == 1 ? options.dialects.front() : dialect_of_room(name);
+  if (!dialect.empty()) load_profile({dialect, "", {choice}});
+  std::vector<std::string> known;
+  for (const reference::Reading& reading : reference::readings()) known.emplace_back(reading.name);
+  throw UsageError(fmt::format("There is no reading \"{}\". {}`gonogo spec` lists them.", name,
+                               reference::did_you_mean(reference::nearest_word(name, known))));
+}
+
 }  // namespace
 
 void check_readings(const CertifyOptions& options) {
@@ -74,6 +97,7 @@ void check_readings(const CertifyOptions& options) {
   for (const std::string& choice : options.readings) {
     const std::string name = choice.substr(0, choice.find('='));
     const reference::Reading* known = reference::find_reading(name);
+    if (known == nullptr && choice.size() > name.size()) refuse_reading(options, name, choice);
     load_profile({std::string(known != nullptr ? known->dialect : kAnyDialect), "", {choice}});
     if (!options.dialects.empty() && std::ranges::none_of(options.dialects, [&](auto& dialect) {
           return known->belongs_to(dialect);

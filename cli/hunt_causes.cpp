@@ -62,8 +62,8 @@ std::set<std::string> codes_of(const ProgramAsked& asked) {
   return codes;
 }
 
-// Of programs that may pass: the short ones with all codes of a symptom, for there its mistake
-// shows alone; then any.
+// Programs that may pass: first the short ones with all codes of a symptom, where its mistake shows
+// alone; then any.
 std::vector<ProgramAsked> others_beside(const std::vector<ProgramAsked>& symptoms,
                                         const std::vector<ProgramAsked>& all) {
   std::set<std::set<std::string>> wanted;

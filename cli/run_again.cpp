@@ -74,29 +74,74 @@ oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
   return campaign;
 }
 
-// Nothing: the run had none. Into which program a departure is reduced hangs on time; that there is
-// one does not.
+// Fresh programs that were drawn from one seed.
+struct FreshShare {
+  std::uint64_t seed = 0;
+  unsigned shard = 1;
+  oracle::FreshCounts counts;
+};
+
+// Nothing: the results do not say from which seeds. Each shard of a merged run has its own.
+std::optional<std::vector<FreshShare>> fresh_shares(const Json& header,
+                                                    const oracle::CampaignOptions& campaign,
+                                                    const oracle::FreshCounts& counts) {
+  const Json argv = header.value("argv", Json::array());
+  const bool is_merged = !argv.empty() && argv.front() == "merge";
+  if (!header.contains("shards")) {
+    if (is_merged || !header.contains("seed")) return std::nullopt;
+    return std::vector<FreshShare>{{campaign.seed, campaign.shard, counts}};
+  }
+  std::vector<FreshShare> shares;
+  for (const Json& one : header.at("shards")) {
+    FreshShare share;
+    share.seed = one.at("seed").get<std::uint64_t>();
+    share.shard = oracle::asked_in({{"shard", one.at("shard")}}).shard;
+    share.counts = oracle::fresh_from_json(one.at("fresh"));
+    shares.push_back(std::move(share));
+  }
+  return shares;
+}
+
+// Nothing: the run had none. Into which programs departures are reduced hangs on time; that there
+// are so many does not.
 std::optional<oracle::evidence::Check> same_fresh_programs(const std::string& certified,
                                                            const JudgedCorpus& judged,
                                                            const fs::path& scratch) {
   using oracle::evidence::Check;
   oracle::ResultsReader reader(certified);
-  std::optional<std::string> told;
+  std::vector<std::string> told;
   for (oracle::CaseHead head; reader.next(head);) {
-    if (oracle::is_fresh(head.id)) told = head.id;
+    if (oracle::is_fresh(head.id)) told.push_back(head.id);
   }
   const oracle::FreshCounts counts =
       oracle::fresh_from_json(reader.footer().value_or(Json::object()).value("fresh", Json()));
   if (counts.empty()) return std::nullopt;
-  const std::optional<std::string> id = fresh_departure(judged, counts, scratch.string());
-  if (id && !told) {
-    return Check{
-        Check::Result::fails,
-        fmt::format("The subject departs on the fresh program {}, which has no line.", *id)};
+  const auto shares = fresh_shares(reader.header(), judged.campaign, counts);
+  if (!shares) {
+    return Check{Check::Result::unchecked,
+                 "The fresh programs were not derived: the results do not say from which seeds."};
   }
-  if (id || !told) return Check{Check::Result::holds, "The fresh programs were run again."};
-  return Check{Check::Result::fails,
-               fmt::format("{} is a departure, but the subject did not depart again.", *told)};
+  std::vector<std::string> departures;
+  for (const FreshShare& share : *shares) {
+    oracle::CampaignOptions campaign = judged.campaign;
+    campaign.seed = share.seed;
+    campaign.shard = share.shard;
+    const auto id =
+        fresh_departure({judged.corpus, campaign, judged.maker, judged.subject, judged.took},
+                        share.counts, scratch.string());
+    if (id) departures.push_back(*id);
+  }
+  if (departures.size() > told.size()) {
+    return Check{Check::Result::fails,
+                 fmt::format("The subject departs on the fresh program {}, which has no line.",
+                             departures.back())};
+  }
+  if (departures.size() == told.size()) {
+    return Check{Check::Result::holds, "The fresh programs were run again."};
+  }
+  return Check{
+      Check::Result::fails,
+      fmt::format("{} is a departure, but the subject did not depart again.", told.back())};
 }
 
 }  // namespace

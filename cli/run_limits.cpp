@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 using oracle::ResultsReader;
 
 long limit_of(const Json& header, std::string_view option) {
-  const auto values = oracle::report::option_values(header.value("argv", Json::array()), option);
+  const auto values = oracle::report::option_values(oracle::report::run_argv(header), option);
   return values.empty() ? 0 : std::strtol(values.back().c_str(), nullptr, 10);
 }
 
@@ -40,12 +40,12 @@ LimitOptions limits_of_run(const Json& header) {
   LimitOptions limits;
   limits.timeout = limit_of(header, "--timeout");
   limits.memory = limit_of(header, "--memory");
-  const Json argv = header.value("argv", Json::array());
+  const Json argv = oracle::report::run_argv(header);
   limits.environment = oracle::report::option_values(argv, "--env");
   limits.sandbox.bound = oracle::report::option_values(argv, "--bind");
   limits.columns = last_of(argv, "--columns");
   limits.manifest = last_of(argv, "--manifest");
-  // A merged run has another command line; the header holds these.
+  // Shards may have had them in other words; the header holds these.
   limits.blend = oracle::report::text_of(header, "blend");
   limits.feed_tolerance = oracle::report::text_of(header, "feed_tolerance");
   // A run of before the header said so has them in its command line alone.

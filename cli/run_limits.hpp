@@ -11,7 +11,7 @@
 namespace gonogo::cli {
 
 // The limits of the run with this header, its sandbox, how it read captured output, and whether it
-// told names of cases.
+// showed names of cases.
 LimitOptions limits_of_run(const nlohmann::ordered_json& header);
 
 // Throws UsageError when the run whose journal this is was begun with other limits. A journal that

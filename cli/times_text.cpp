@@ -104,7 +104,7 @@ void take(oracle::RoundingCensus& census, const reference::Record& want,
 std::string rounding_text(const reference::Profile& profile, const StoredFile& program,
                           RecordedTrace& trace, const oracle::Tolerances& tolerances) {
   const auto want = motions_of_reference(profile, program);
-  if (!want) return "coordinates: not told, for a part of the path is open.\n";
+  if (!want) return "coordinates: not counted, because a part of the path is open.\n";
   oracle::RoundingCensus census;
   std::size_t count = 0;
   bool alike = true;
@@ -115,7 +115,8 @@ std::string rounding_text(const reference::Profile& profile, const StoredFile& p
                if (alike) take(census, (*want)[count++], record, tolerances);
              });
   if (!alike || count != want->size()) {
-    return "coordinates: not told, for the motions are not those of the reference one by one.\n";
+    return "coordinates: not counted, because the motions are not those of the reference one by "
+           "one.\n";
   }
   return "coordinates: " + census.text() + "\n";
 }

@@ -25,6 +25,7 @@
 #include "cli/sandbox_options.hpp"
 #include "cli/subjects.hpp"
 #include "expanders/registry.hpp"
+#include "publish/report/command.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -32,7 +33,7 @@ namespace {
 // A few cases do not go where a campaign is, unless they are sent there.
 std::string report_folder(const CertifyOptions& options) {
   if (!options.report.empty()) return options.report;
-  return options.cases.empty() ? "report" : "again";
+  return options.cases.empty() ? oracle::report::kReportFolder : oracle::report::kFewCasesFolder;
 }
 
 // The options, narrowed to the dialects that a built-in expander has; nothing when none is left.
@@ -57,30 +58,21 @@ CertifyOptions below(const CertifyOptions& options, const std::string& name) {
   return own;
 }
 
-// "builtin-gsk" of builtin:gsk, for a folder; what cannot be kept of a command is left out.
-std::string folder_name(const std::string& subject) {
-  constexpr std::size_t kLongest = 60;
-  std::string name;
-  for (const char c : subject) {
-    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                       c == '.' || c == '_' || c == '+';
-    if (plain && !(c == '.' && name.empty())) {
-      name += c;
-    } else if (!name.empty() && name.back() != '-') {
-      name += '-';
-    }
-    if (name.size() == kLongest) break;
+// A typo in the last of several subjects is told before the first is run. A library is looked at
+// in its own sandbox alone.
+void check_subjects(const std::vector<std::string>& subjects) {
+  for (const std::string& subject : subjects) {
+    if (!subject.starts_with("lib:")) subject_maker(subject, {});
   }
-  while (name.ends_with('-')) name.pop_back();
-  return name.empty() ? "subject" : name;
 }
 
 // Several subjects one after the other: the answer is the gravest.
 int certify_each(const CertifyOptions& options, const std::string& report) {
+  check_subjects(options.subjects);
   int exit_code = kGo;
   std::set<std::string> names;
   for (const std::string& subject : options.subjects) {
-    std::string name = folder_name(subject);
+    std::string name = oracle::report::subject_folder(subject);
     while (!names.insert(name).second) name += "-again";
     const int one = certify_one(below(options, name), subject, fmt::format("{}/{}", report, name));
     if (one == kNoGo || exit_code == kGo) exit_code = one;

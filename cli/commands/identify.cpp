@@ -77,7 +77,7 @@ int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
     output.text() += fmt::format("The profile is in {}.\n", words.out);
   }
   output.tell();
-  return kGo;
+  return found.aside.empty() ? kGo : kNoGo;
 }
 
 // A case of the corpus by its id, or a program.

@@ -68,6 +68,25 @@ void check_numeric(const std::string& kind) {
   throw UsageError(fmt::format("--numeric takes fixed, binary64 or exact, not \"{}\".", kind));
 }
 
+// A trace that cannot be read on, as one of `expand` at what is not covered: where the program is
+// not covered behind its records, that is the verdict.
+std::optional<oracle::SessionVerdict> judged_as_outside(const reference::Profile& profile,
+                                                        const oracle::ProgramText& program,
+                                                        const oracle::Tolerances& tolerances,
+                                                        RecordedTrace& trace) {
+  oracle::JudgeSession session(profile, program, tolerances);
+  bool undecided = true;
+  trace.read([&](std::string_view line) { return session.line(line); },
+             [&](const reference::Record& record) {
+               if (undecided) undecided = session.record(record);
+             });
+  oracle::SessionVerdict said = session.finish(oracle::RunEnd{});
+  const bool is_outside = said.verdict.gap == oracle::GapReason::not_covered ||
+                          said.verdict.gap == oracle::GapReason::profile_lacks;
+  if (said.verdict.kind != oracle::VerdictKind::oracle_gap || !is_outside) return std::nullopt;
+  return said;
+}
+
 // What a trace has decides what is compared, and is known for certain only at its end: where the
 // guess was wrong, the trace is judged once more.
 oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference::Profile& profile,
@@ -87,6 +106,9 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
       continue;
     }
     const oracle::RunEnd end = end_of(seen, options);
+    if (end.kind == oracle::RunEnd::Kind::protocol) {
+      if (auto outside = judged_as_outside(profile, program, tolerances, trace)) return *outside;
+    }
     oracle::SessionVerdict said = session.finish(end);
     const bool departs = decision(said.verdict.kind) == oracle::Decision::no_go ||
                          said.verdict.kind == oracle::VerdictKind::advice;
@@ -123,22 +145,33 @@ relation::Tolerances tolerances_of_definition(const oracle::Tolerances& toleranc
   return same;
 }
 
+// Whether the answer to the records that can be read does not depend on what follows them.
+bool stands_before(const relation::Answer& answer, std::size_t records) {
+  if (answer.gap == relation::GapReason::not_covered ||
+      answer.gap == relation::GapReason::profile_lacks) {
+    return true;
+  }
+  return decision(answer.kind) == oracle::Decision::no_go &&
+         answer.record.value_or(records) < records;
+}
+
 int judge_by_definition(const JudgeOptions& options, const reference::Profile& profile,
                         const oracle::ProgramText& program, RecordedTrace& trace) {
   std::vector<reference::Record> records;
   const TraceSummary seen =
       trace.read([](std::string_view) { return false; },
                  [&](const reference::Record& record) { records.push_back(record); });
-  if (seen.end.kind != oracle::RunEnd::Kind::ok && seen.end.kind != oracle::RunEnd::Kind::alarm) {
-    throw UsageError(seen.end.message);
-  }
   const relation::Tolerances tolerances =
       tolerances_of_definition(tolerances_for(seen.features, options, profile), options, profile);
   const oracle::RunEnd end = end_of(seen, options);
   const bool alarms = end.kind == oracle::RunEnd::Kind::alarm;
-  const relation::Answer answer =
-      relation::decide(profile, read_all(*program.open(), options.program), tolerances,
-                       {records, alarms ? &end.alarm : nullptr});
+  relation::Answer answer = relation::decide(profile, read_all(*program.open(), options.program),
+                                             tolerances, {records, alarms ? &end.alarm : nullptr});
+  if (end.kind == oracle::RunEnd::Kind::protocol && !stands_before(answer, records.size())) {
+    answer = {};
+    answer.kind = oracle::VerdictKind::protocol;
+    answer.message = end.message;
+  }
   Output output;
   output.text() = answer_text(answer) + not_compared_text(seen.features);
   output.tell();

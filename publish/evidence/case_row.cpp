@@ -79,6 +79,10 @@ std::string in_force_of(const CaseRow& row) {
 }
 
 std::string again_command(const Json& header, const CaseRow& facts) {
+  // Alone it shows nothing.
+  const bool is_leak =
+      facts.kind == VerdictKind::state_leak || facts.departure == name(VerdictKind::state_leak);
+  if (is_leak) return report::command_for_run(header);
   const report::CaseOf of = is_fresh(facts.id) ? report::CaseOf::fresh : report::CaseOf::corpus;
   const std::string own = report::command_for_case(header, of) + shell_quoted(facts.id);
   if (facts.against.empty()) return own;

@@ -33,7 +33,7 @@ struct CaseRow : FindingFacts {
 
 // `line` has passed ResultsReader.
 CaseRow case_row(const Json& line);
-// What the head of a line says: all there is to say of a pass or a skip.
+// What the head of a line says; of a pass or a skip there is no more to say.
 CaseRow case_row(const CaseHead& line);
 
 // What earlier blocks leave in force in the one that departs; empty: nothing, or the case is GO.

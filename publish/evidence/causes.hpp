@@ -18,9 +18,9 @@ struct Causes {
   std::size_t asked = 0;  // findings of which a cause was looked for
 };
 
-// Those of the folder; a file that is missing or of another format says nothing.
+// The causes in the folder; none where the file is missing or of another format.
 Causes read_causes(const std::filesystem::path& folder);
-// Without causes the file is taken away: it was of the run before. Throws std::system_error.
+// Without causes the file is removed: it belongs to the run before. Throws std::system_error.
 void write_causes(const std::filesystem::path& folder, const Causes& causes);
 
 }  // namespace gonogo::oracle::evidence

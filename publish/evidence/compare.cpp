@@ -37,7 +37,9 @@ std::optional<Change> change_of(const Json& before, const Json& after) {
   const Decision was = decision_of_line(before);
   const Decision is = decision_of_line(after);
   if (was == Decision::go && is != Decision::go) return Change::regression;
-  if (is == Decision::no_go && text_of(before, "verdict") == name(VerdictKind::xfail)) {
+  const bool was_known = text_of(before, "verdict") == name(VerdictKind::xfail);
+  if (was_known && fails_otherwise(text_of(before, "departure"), departure_part(before),
+                                   departure_part(after))) {
     return Change::regression;
   }
   if (was == Decision::no_go && is == Decision::go) return Change::mended;
@@ -118,6 +120,19 @@ Json departure_part(const Json& line) {
     if (line.contains(key)) part[key] = line[key];
   }
   return part;
+}
+
+bool fails_otherwise(const std::string& departure, Json known, Json now) {
+  const std::string verdict = text_of(now, "verdict");
+  const auto kind = verdict_kind(verdict);
+  if (!kind || decision(*kind) != Decision::no_go || *kind == VerdictKind::xpass) return false;
+  if (verdict != departure) return true;
+  // The message of an older format has the reason, too.
+  for (const char* key : {"verdict", "message"}) {
+    known.erase(key);
+    now.erase(key);
+  }
+  return known != now;
 }
 
 Json header_part(const Json& header, const HeaderPart& part) {

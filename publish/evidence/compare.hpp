@@ -14,7 +14,7 @@ namespace gonogo::oracle::evidence {
 
 // What became of a case that is not the same in both runs.
 enum class Change {
-  regression,  // a pass before and none now, or a known failure that fails otherwise now
+  regression,  // a pass before and none now, or a known failure that is NO-GO otherwise now
   mended,      // NO-GO before, GO now
   departure,   // NO-GO in both, but departs elsewhere
   verdict,     // any other change of the verdict: NO-GO before, skipped now, ...
@@ -32,7 +32,7 @@ struct ChangedCase {
 // What a comparison of two runs or of many says besides the cases that changed.
 struct ComparedCases {
   std::vector<std::string> notes;  // sentences: in what the runs differ besides their cases
-  // Cases that only the run now has, and those that it lacks: how many, and the first of them.
+  // Cases that only the current run has, and those that it lacks: how many, and the first of them.
   std::uint64_t added = 0;
   std::vector<std::string> first_added;
   std::uint64_t gone = 0;

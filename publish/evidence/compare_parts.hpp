@@ -15,9 +15,12 @@ namespace gonogo::oracle::evidence {
 
 // What the verdict of a case line rests on; run time, notes and traces may differ.
 Json departure_part(const Json& line);
+// Whether a case that was known to fail with `departure` is NO-GO now and departs otherwise
+// (J-RUN-16); of both the departure_part.
+bool fails_otherwise(const std::string& departure, Json known, Json now);
 
-// What makes runs hard to compare besides their cases: how a sentence names it, and where it stands
-// in the header.
+// What besides their cases makes runs hard to compare: its name in a sentence, and its place in the
+// header.
 struct HeaderPart {
   std::string_view what;
   const char* pointer;
@@ -34,11 +37,11 @@ inline constexpr std::array<HeaderPart, 21> kHeaderParts = {{
     {"feed resolution", "/feed_resolution"},
     {"blend", "/blend"},
     {"feed tolerance", "/feed_tolerance"},
-    {"names of cases told", "/show_ids"},
+    {"names of cases shown", "/show_ids"},
     {"strictness", "/strict"},
     {"sandbox", "/sandbox"},
     {"features declared", "/subject/dialects"},
-    {"what is told besides motions", "/subject/features"},
+    {"what is reported besides motions", "/subject/features"},
     {"numbers declared", "/subject/numeric"},
     {"cases asked for", "/selection"},
     {"shard", "/shard"},
@@ -54,7 +57,8 @@ struct ChangeNames {
   std::string_view title;
 };
 inline constexpr std::array<ChangeNames, 4> kChanges = {{
-    {Change::regression, "regressions", "Regressions (GO before, not GO now)"},
+    {Change::regression, "regressions",
+     "Regressions (GO before and not GO now, or known to fail and otherwise now)"},
     {Change::departure, "departures", "Other departures (NO-GO before and now)"},
     {Change::verdict, "verdicts", "Other changes of the verdict"},
     {Change::mended, "mended", "Mended (NO-GO before, GO now)"},
@@ -85,7 +89,7 @@ Json json_counts(const ComparedCases& cases, const ChangeCounts& counts);
 std::string markdown_counts(const ComparedCases& cases, const ChangeCounts& counts);
 // "No regressions", or how many.
 std::string regressions_title(std::uint64_t regressions);
-// The document with what comes last in it, as text.
+// The document as text, with its last part added.
 std::string json_document(Json root, const ComparedCases& cases);
 
 // Counts an id, and keeps it while there is room.

@@ -53,21 +53,23 @@ std::vector<const SideOfRuns*> having(const Sides& sides, const std::string& id)
 std::optional<Change> change_among(const std::vector<const SideOfRuns*>& at) {
   const SideOfRuns& now = *at.back();
   bool was_go = false;
-  bool was_known = false;
+  bool is_other_failure = false;
   bool was_no_go = false;
   bool same_verdict = true;
   bool same_departure = true;
   for (const SideOfRuns* one : at) {
     if (one == &now) continue;
     was_go = was_go || one->decision() == Decision::go;
-    was_known = was_known || one->line().verdict == name(VerdictKind::xfail);
+    is_other_failure =
+        is_other_failure || (one->line().verdict == name(VerdictKind::xfail) &&
+                             fails_otherwise(one->line().departure, one->part(), now.part()));
     was_no_go = was_no_go || one->decision() == Decision::no_go;
     same_verdict = same_verdict && one->line().verdict == now.line().verdict;
     const bool both = one->decision() == Decision::no_go && now.decision() == Decision::no_go;
     same_departure = same_departure && (!both || one->part() == now.part());
   }
   if (now.decision() != Decision::go && was_go) return Change::regression;
-  if (now.decision() == Decision::no_go && was_known) return Change::regression;
+  if (is_other_failure) return Change::regression;
   if (now.decision() == Decision::go && was_no_go) return Change::mended;
   if (now.decision() == Decision::no_go && was_no_go && !same_departure) return Change::departure;
   return same_verdict ? std::nullopt : std::optional(Change::verdict);

@@ -70,6 +70,7 @@ class Writers {
         markdown_(reader.header()),
         programs_(folder / "programs"),
         page_(folder, reader.header()),
+        summary_(reader.header()),
         corpus_(std::move(programs)) {
     for (const auto& [key, cause] : causes.of) summary_.set_cause(key, cause);
   }

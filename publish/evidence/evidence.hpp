@@ -22,8 +22,8 @@ namespace gonogo::oracle::evidence {
 // Each file is put in place only when it is whole. Memory does not grow with the cases that are
 // GO. A file without footer is written up as incomplete; one that is faulty is not written up.
 // Returns why not, a sentence. Throws std::system_error where something cannot be written.
-// With the corpus of the run the page shows program and path of the cases that are GO as well;
-// null, or another corpus than the header names: it does not.
+// With the corpus of the run the page also shows program and path of the cases that are GO. Null,
+// or another corpus than the header names: it does not.
 std::optional<std::string> write_evidence(const std::string& results, const std::string& folder,
                                           const Corpus* corpus = nullptr);
 

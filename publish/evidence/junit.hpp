@@ -8,9 +8,9 @@
 #include <memory>
 #include <string>
 
-#include "publish/evidence/run_state.hpp"
 #include "oracle/records/finding.hpp"
 #include "oracle/records/output_file.hpp"
+#include "publish/evidence/run_state.hpp"
 
 namespace gonogo::oracle::evidence {
 
@@ -20,8 +20,8 @@ namespace gonogo::oracle::evidence {
 enum class JunitMark { passed, failure, error, skipped };
 JunitMark junit_mark(const CaseRow& facts);
 
-// Takes the cases in any order of dialects. A suite begins with its numbers, so each waits in a
-// file of its own until the end.
+// Takes the cases in any order of dialects. A suite begins with its numbers, so each suite waits in
+// a file of its own until the end.
 class JunitWriter {
  public:
   // Throws std::system_error, as all others.

@@ -8,9 +8,9 @@
 
 namespace gonogo::oracle::evidence {
 
-// The folder with the programs of the cases that are not GO, and beside each its verdict. It
-// remembers in a file of its own which ones it wrote, and takes those of the run before away; other
-// files are left alone.
+// The folder with the programs of the cases that are not GO, and beside each its verdict. A file of
+// its own remembers which ones it wrote: it removes those of the run before, and leaves other files
+// alone.
 class ProgramFolder {
  public:
   // Throws std::system_error, as all others.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "campaign/encoding.hpp"
@@ -12,6 +14,7 @@
 #include "oracle/records/trace_reader.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
+#include "reference/clause.hpp"
 
 namespace gonogo::oracle::evidence {
 
@@ -87,39 +90,92 @@ std::optional<Outcome> outcome_of(const Json& line, const CaseRow& row, VerdictK
   return outcome;
 }
 
-std::string difference(const Json& line, const CaseRow& row, const Verdict& now) {
-  auto differs = [&](std::string_view what, const std::string& was, const std::string& is) {
-    return fmt::format("{}: the {} was {}, but judged again it is {}.", row.id, what,
-                       was.empty() ? "none" : was, is.empty() ? "none" : is);
+std::string differs(const CaseRow& row, std::string_view what, const std::string& was,
+                    const std::string& is) {
+  return fmt::format("{}: the {} was {}, but judged again it is {}.", row.id, what,
+                     was.empty() ? "none" : was, is.empty() ? "none" : is);
+}
+
+// An advice departs from no text, and an xfail says nothing of one.
+std::string basis_of(const CaseRow& row, const Verdict& now) {
+  if (row.kind == VerdictKind::xfail) return {};
+  if (now.kind == VerdictKind::advice) return "silent";
+  if (decision(now.kind) != Decision::no_go || now.clause == reference::kNoClause) return {};
+  return std::string(reference::name(reference::clause(now.clause).basis()));
+}
+
+// The campaign writes U+FFFD for bytes that are no UTF-8.
+std::string as_written(const std::string& text) {
+  return is_utf8(text) ? text : Json::parse(dump(Json(text))).get<std::string>();
+}
+
+bool is_message(const std::string& told, const std::string& now, const Wording& wording) {
+  if (!told.starts_with(now)) return false;
+  const std::string more = told.substr(now.size());
+  return more.empty() || std::ranges::find(wording.additions, more) != wording.additions.end();
+}
+
+// In what the line says of the departure besides where it is.
+std::string difference_in_words(const Json& line, const CaseRow& row, const Verdict& now,
+                                const Wording& wording) {
+  struct Text {
+    const char* key;
+    std::string is;
   };
-  const bool is_known = row.kind == VerdictKind::xfail;
-  const std::string verdict = is_known ? row.departure : std::string(row.verdict());
-  if (name(now.kind) != verdict) {
-    return differs("verdict", verdict, std::string(name(now.kind)));
+  std::vector<Text> texts = {{"basis", basis_of(row, now)},
+                             {"word", std::string(now.word.text())},
+                             {"told_under", now.told_under},
+                             {"feature", now.feature}};
+  if (wording.has_rules) {
+    texts.push_back({"rule", std::string(name(rule_of(now)))});
+    texts.push_back({"gap", std::string(name(now.gap))});
   }
-  const std::string departure(now.departure ? name(*now.departure) : std::string_view());
-  if (!is_known && departure != row.departure) {
-    return differs("departure", row.departure, departure);
+  for (const Text& text : texts) {
+    const std::string was = text_of(line, text.key);
+    if (was != text.is) return differs(row, text.key, was, text.is);
   }
-  const std::string clause(now.clause == reference::kNoClause ? ""
-                                                              : reference::clause_name(now.clause));
-  if (clause != row.clause) return differs("clause", row.clause, clause);
-  if (now.block != row.block.value_or(0)) {
-    return differs("line", std::to_string(row.block.value_or(0)), std::to_string(now.block));
+  if (now.deviation_mm != row.deviation_mm) {
+    return differs(row, "deviation in mm", row.deviation_mm, now.deviation_mm);
   }
-  const auto record = report::count_of(line, "record");
-  if (now.record != record) {
-    return differs("record", record_number(record), record_number(now.record));
+  const Json witness = line.value("witness", Json());
+  if (witness != (now.witness.empty() ? Json() : Json::parse(now.witness))) {
+    return differs(row, "witness", witness.is_null() ? "" : dump(witness), now.witness);
   }
-  if (now.want != row.want) return differs("motion wanted", row.want, now.want);
-  if (now.got != row.got) return differs("motion got", row.got, now.got);
-  if (now.deviation_exact != row.deviation_exact) {
-    return differs("deviation", row.deviation_exact, now.deviation_exact);
-  }
-  return {};
+  const std::string message = as_written(now.message);
+  if (!wording.is_own || is_message(row.message, message, wording)) return {};
+  return differs(row, "message", row.message, message);
 }
 
 }  // namespace
+
+std::string line_difference(const Json& line, const CaseRow& row, const Verdict& now,
+                            const Wording& wording) {
+  const bool is_known = row.kind == VerdictKind::xfail;
+  const std::string verdict = is_known ? row.departure : std::string(row.verdict());
+  if (name(now.kind) != verdict) {
+    return differs(row, "verdict", verdict, std::string(name(now.kind)));
+  }
+  const std::string departure(now.departure ? name(*now.departure) : std::string_view());
+  if (!is_known && departure != row.departure) {
+    return differs(row, "departure", row.departure, departure);
+  }
+  const std::string clause(now.clause == reference::kNoClause ? ""
+                                                              : reference::clause_name(now.clause));
+  if (clause != row.clause) return differs(row, "clause", row.clause, clause);
+  if (now.block != row.block.value_or(0)) {
+    return differs(row, "line", std::to_string(row.block.value_or(0)), std::to_string(now.block));
+  }
+  const auto record = report::count_of(line, "record");
+  if (now.record != record) {
+    return differs(row, "record", record_number(record), record_number(now.record));
+  }
+  if (now.want != row.want) return differs(row, "motion wanted", row.want, now.want);
+  if (now.got != row.got) return differs(row, "motion got", row.got, now.got);
+  if (now.deviation_exact != row.deviation_exact) {
+    return differs(row, "deviation", row.deviation_exact, now.deviation_exact);
+  }
+  return wording.holds_words ? difference_in_words(line, row, now, wording) : std::string();
+}
 
 RunTolerances run_tolerances(const Json& header) {
   RunTolerances tolerances;
@@ -148,7 +204,7 @@ RunTolerances run_tolerances(const Json& header) {
   return tolerances;
 }
 
-Rejudged rejudge(const Json& line, const RunTolerances& tolerances) {
+Rejudged rejudge(const Json& line, const RunTolerances& tolerances, const Wording& wording) {
   const CaseRow row = case_row(line);
   const bool is_gap = row.kind == VerdictKind::oracle_gap;
   const bool passes = row.kind == VerdictKind::xpass;
@@ -174,7 +230,17 @@ Rejudged rejudge(const Json& line, const RunTolerances& tolerances) {
   // How the run of a gap ended is unknown; a record that departs does so however it ended.
   const bool departs = now.verdict.record && decision(now.verdict.kind) == Decision::no_go;
   if (is_gap && now.verdict.kind != row.kind && !departs) return {};
-  return {true, difference(line, row, now.verdict)};
+  // What a gap says may hang on how the run ended.
+  Wording held = wording;
+  if (is_gap) held.has_rules = held.is_own = false;
+  std::string fault = line_difference(line, row, now.verdict, held);
+  // How a run went on after a departure is not in its line, and the reading may hang on it.
+  if (fault.empty() && wording.holds_words && !row.reading.empty() &&
+      explaining_reading(machine, *row.program, of_judge, outcome->records, outcome->end) !=
+          row.reading) {
+    return {};
+  }
+  return {true, std::move(fault)};
 }
 
 }  // namespace gonogo::oracle::evidence

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "oracle/motion/tolerances.hpp"
 #include "oracle/records/subject_outcome.hpp"
@@ -21,11 +22,23 @@ struct RunTolerances {
 // Throws ResultsError for a number that is none.
 RunTolerances run_tolerances(const Json& header);
 
+// How the line of a run may say what is derived again.
+struct Wording {
+  bool has_rules = true;    // format 2
+  bool is_own = true;       // it was written by this gonogo, whose messages are the same
+  bool holds_words = true;  // false: the places, records and amounts alone are held
+  std::vector<std::string> additions = {};  // behind a message, from other runs of the case
+};
+// In what the line differs from the departure or gap that is derived again, a sentence; empty: in
+// nothing. Of an xfail `now` is what is known. `reading` is not looked at.
+std::string line_difference(const Json& line, const CaseRow& row, const Verdict& now,
+                            const Wording& wording);
+
 struct Rejudged {
-  // Whether the line holds what it takes: not a crash, a state leak, a trace that was cut, ...
+  // Whether the line holds all that is needed: not a crash, a state leak, a trace that was cut, ...
   bool judged = false;
   std::string fault;  // in what the answer now differs from the line, a sentence; empty: in nothing
 };
-Rejudged rejudge(const Json& line, const RunTolerances& tolerances);
+Rejudged rejudge(const Json& line, const RunTolerances& tolerances, const Wording& wording = {});
 
 }  // namespace gonogo::oracle::evidence

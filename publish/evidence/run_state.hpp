@@ -27,8 +27,8 @@ std::string stale_sentence(const std::string& entry);
 
 // "acme 3.2", or how it was named.
 std::string subject_title(const Json& header);
-// The same with what the certifier granted, and which part of the corpus it is: "acme 3.2
-// (tolerance 1000 mm, shard 1/300)".
+// The same with what the certifier granted, and with the part of the corpus: "acme 3.2 (tolerance
+// 1000 mm, shard 1/300)".
 std::string run_title(const Json& header);
 
 }  // namespace gonogo::oracle::evidence

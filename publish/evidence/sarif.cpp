@@ -81,8 +81,10 @@ Json location(const CaseRow& facts) {
 std::string message(const CaseRow& facts) {
   std::string text =
       fmt::format("{}: {}", facts.verdict(), facts.message.empty() ? "No message." : facts.message);
-  if (!facts.departure.empty()) {
+  if (facts.kind == VerdictKind::advice && !facts.departure.empty()) {
     text += fmt::format("\nIt would be {} if a text of the manual stated it.", facts.departure);
+  } else if (facts.kind == VerdictKind::xfail) {
+    text += fmt::format("\nIt is known to fail with {}: {}", facts.departure, facts.known);
   }
   auto put = [&](std::string_view what, const std::string& value) {
     if (!value.empty()) text += fmt::format("\n{}: {}", what, value);

@@ -184,7 +184,7 @@ std::string facts_of_run(const Json& header, const RunState& state) {
   }
   put("Sandbox", text_of(header, "sandbox"));
   put("Advices", header.value("strict", Json(false)) == true ? "are NO-GO (--strict)"
-                                                             : "are told, and are no NO-GO");
+                                                             : "are listed, and are no NO-GO");
   if (header.contains("selection")) {
     put("Cases asked for", markdown_code(dump(header["selection"])));
   }
@@ -251,7 +251,7 @@ std::string unnamed_dialect(const Json& header) {
 Statement make_statement(const std::string& results, const std::vector<std::string>& reasons,
                          const std::vector<std::string>& files, const TraceFiles& traces) {
   ResultsReader reader(results);
-  report::Summary summary;
+  report::Summary summary(reader.header());
   Waivers waivers(reasons);
   std::map<VerdictKind, std::vector<std::string>> findings;
   CaseHead head;

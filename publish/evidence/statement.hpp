@@ -25,7 +25,7 @@ inline constexpr const char* kSums = "SHA256SUMS";
 // A folder: what the subject sent for each case.
 inline constexpr const char* kTraces = "traces";
 
-// The dialect of a profile that names none: the only one that the run was asked for, else "".
+// The dialect of a profile that names none: the only one for which the run was asked, else "".
 std::string unnamed_dialect(const Json& header);
 
 // The traces of a certificate: how many, and the SHA-256 of their lines in SHA256SUMS.

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <optional>
-#include <set>
 #include <variant>
 
 #include "campaign/case_roll.hpp"
@@ -15,18 +13,18 @@
 #include "campaign/known_failures.hpp"
 #include "campaign/results.hpp"
 #include "campaign/selection.hpp"
-#include "campaign/tally.hpp"
 #include "corpus/io/corpus.hpp"
 #include "oracle/records/fresh_counts.hpp"
 #include "publish/evidence/certificate_files.hpp"
 #include "publish/evidence/compare.hpp"
+#include "publish/evidence/results_facts.hpp"
 #include "publish/evidence/statement.hpp"
 #include "publish/evidence/text.hpp"
 #include "publish/evidence/verify_cases.hpp"
+#include "publish/evidence/verify_footer.hpp"
 #include "publish/evidence/verify_header.hpp"
 #include "publish/evidence/verify_sums.hpp"
 #include "publish/report/case_paths.hpp"
-#include "publish/report/command.hpp"
 #include "publish/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -35,117 +33,6 @@ namespace {
 namespace fs = std::filesystem;
 using report::text_of;
 using Result = Check::Result;
-
-// What one reading of the results gives the checks.
-struct ResultsFacts {
-  Json header;
-  Json footer;
-  RunAnswer answer;
-  std::set<std::string> mapped;           // entries of the alarm map that a case met
-  std::vector<std::string> inconsistent;  // lines whose verdict is not what the tally makes of it
-  std::map<std::string, std::size_t> judged;  // cases of the corpus, by dialect
-  bool is_no_go = false;                      // one of them
-};
-
-std::vector<std::string> texts_in(const Json& object, const char* key) {
-  std::vector<std::string> texts;
-  for (const Json& item : object.value(key, Json::array())) {
-    if (item.is_string()) texts.push_back(item.get<std::string>());
-  }
-  return texts;
-}
-
-// Throws ResultsError.
-ResultsFacts read_results(const std::string& path) {
-  ResultsReader reader(path);
-  ResultsFacts facts;
-  facts.header = reader.header();
-  Tally tally;
-  for (CaseHead head; reader.next(head);) {
-    const CaseFacts line = facts_of(reader.text());
-    if (!line.mapped.empty()) facts.mapped.insert(line.mapped);
-    const VerdictKind kind = tally.add(line);
-    const bool is_no_go = decision(kind) == Decision::no_go;
-    if (!is_fresh(head.id) && (is_no_go || decision(kind) == Decision::go)) {
-      ++facts.judged[line.dialect];
-      facts.is_no_go = facts.is_no_go || is_no_go;
-    }
-    if (name(kind) == head.verdict) continue;
-    facts.inconsistent.push_back(
-        fmt::format("{}: the line says {}, but with the readings of the whole run it is {}.",
-                    head.id, head.verdict, name(kind)));
-  }
-  if (!reader.footer()) {
-    throw ResultsError(fmt::format("{} has no footer: it is incomplete.", path));
-  }
-  facts.footer = *reader.footer();
-  facts.answer =
-      tally.finish(texts_in(facts.footer, "stale"), conditions_of(facts.header, facts.footer));
-  return facts;
-}
-
-// "5" of "05", as the command line reads it.
-std::vector<std::string> whole_numbers(std::vector<std::string> words) {
-  for (std::string& word : words) {
-    const std::size_t last = word.empty() ? 0 : word.size() - 1;
-    word.erase(0, std::min(word.find_first_not_of('0'), last));
-  }
-  return words;
-}
-
-// How many fresh programs are wanted follows from the command line, else from the cases judged. A
-// merge has no such command line.
-void check_fresh(const ResultsFacts& facts, std::vector<std::string>& faults) {
-  const Json argv = facts.header.value("argv", Json::array());
-  const bool is_run = std::ranges::count(argv, Json("certify")) > 0;
-  const auto asked = whole_numbers(report::option_values(argv, "--fresh"));
-  const FreshCounts counts = fresh_from_json(facts.footer.value("fresh", Json::object()));
-  const bool is_none = !asked.empty() && asked.back() == "0";
-  const bool are_due = !asked.empty() && !is_none && !facts.is_no_go && !facts.judged.empty();
-  if (counts.empty() && are_due) {
-    faults.push_back(fmt::format(
-        "The command line asks {} fresh programs, and the footer has none.", asked.back()));
-  }
-  if (is_run && facts.is_no_go && !counts.empty()) {
-    faults.emplace_back("The footer has fresh programs, but none are asked where a case is NO-GO.");
-  }
-  for (const auto& [dialect, count] : counts) {
-    const auto judged = facts.judged.find(dialect);
-    const std::string own = !asked.empty()                 ? asked.back()
-                            : judged == facts.judged.end() ? "0"
-                                                           : std::to_string(judged->second);
-    const bool fits = count.judged <= count.programs && count.programs <= count.wanted;
-    if (!fits || is_none || (is_run && std::to_string(count.wanted) != own)) {
-      faults.push_back(fmt::format(
-          "The footer has {} of {} fresh programs of {}, {} of them judged, but {} are due.",
-          count.programs, count.wanted, dialect, count.judged, own));
-    }
-  }
-}
-
-void check_footer(const ResultsFacts& facts, Findings& findings) {
-  std::vector<std::string> faults = facts.inconsistent;
-  auto compare = [&](std::string_view what, const Json& told, const Json& own) {
-    if (told == own) return;
-    faults.push_back(fmt::format("The footer says {} {}, but the cases come to {}.", what,
-                                 dump(told), dump(own)));
-  };
-  const Json& footer = facts.footer;
-  compare("totals", footer.value("totals", Json(nullptr)), Json(facts.answer.totals));
-  compare("judged", footer.value("judged", Json(nullptr)), Json(facts.answer.judged));
-  compare("readings", footer.value("assignments", Json(nullptr)), Json(facts.answer.assignments));
-  if (footer.contains("coordinates") || !facts.answer.coordinates.empty()) {
-    compare("coordinates", footer.value("coordinates", Json(nullptr)),
-            coordinates_json(facts.answer.coordinates));
-  }
-  compare("decision", footer.value("decision", Json(nullptr)), Json(facts.answer.decision));
-  check_fresh(facts, faults);
-  if (footer.contains("head"))
-    compare("head", footer.value("head", Json(nullptr)), Json(facts.answer.head));
-  findings.add_list(faults,
-                    fmt::format("Totals, readings and decision ({}) follow from the {} cases.",
-                                facts.answer.decision, facts.answer.cases));
-}
 
 // Which gonogo.
 struct Gauge {
@@ -162,6 +49,22 @@ std::string gauge_of(const Json& header) {
   const std::string commit = text_of(header.value("gauge", Json::object()), "commit");
   return commit.empty() ? text_of(header, "gonogo")
                         : fmt::format("{} (commit {})", text_of(header, "gonogo"), commit);
+}
+
+// The header against its command line, and what of it follows from the rest.
+void check_header(const Json& header, const Gauge& here, Findings& findings) {
+  std::vector<std::string> faults = header_faults(header);
+  if (header.contains("capped") && here.is_that_of(header)) {
+    const RunTolerances run = run_tolerances(header);
+    CampaignOptions asked = asked_in(header);
+    asked.grants = run.grants;
+    const Json own = capped_json(capped_declarations(asked, run.subject));
+    if (header["capped"] != own) {
+      faults.push_back(fmt::format("The header says capped {}, but its declarations make it {}.",
+                                   dump(header["capped"]), dump(own)));
+    }
+  }
+  findings.add_list(faults, "The header says what its command line does.");
 }
 
 // Statement and waivers, made again from the rest.
@@ -302,10 +205,12 @@ Json stale_entries(const fs::path& folder, const ResultsFacts& facts, const Know
 
 // Which cases there are, and each verdict, from corpus, header and traces.
 void check_cases(const fs::path& folder, const std::optional<Corpus>& corpus,
-                 const ResultsFacts& facts, Findings& findings) {
+                 const ResultsFacts& facts, const Gauge& here, Findings& findings) {
   const std::vector<KnownFailure> waivers =
       entries_in(folder / kWaiversFile, &known_failures_from_toml);
-  VerdictsAgain verdicts(facts.header, (folder / kTraces).string(), waivers);
+  VerdictsAgain verdicts(facts.header, (folder / kTraces).string(), waivers,
+                         entries_in(folder / kAlarmMapFile, &alarm_map_from_toml),
+                         here.is_that_of(facts.header));
   ResultsReader reader((folder / kResultsFile).string());
   if (!corpus) {
     for (Json line; reader.next(line);) verdicts.take(line, nullptr);
@@ -332,19 +237,6 @@ void check_cases(const fs::path& folder, const std::optional<Corpus>& corpus,
   verdicts.tell(findings);
 }
 
-// Only a departure has a line.
-void tell_fresh_programs(const ResultsFacts& facts, Findings& findings) {
-  std::size_t programs = 0;
-  for (const auto& [dialect, count] :
-       fresh_from_json(facts.footer.value("fresh", Json::object()))) {
-    programs += count.programs;
-  }
-  if (programs == 0) return;
-  findings.add_open(fmt::format(
-      "No line shows what the subject did with {} fresh programs. --subject runs them again.",
-      grouped(programs)));
-}
-
 }  // namespace
 
 std::vector<Check> verify_certificate(const std::string& folder, const std::string& corpus,
@@ -354,10 +246,11 @@ std::vector<Check> verify_certificate(const std::string& folder, const std::stri
     check_sums(folder, findings);
     const ResultsFacts facts = read_results((fs::path(folder) / kResultsFile).string());
     check_footer(facts, findings);
-    findings.add_list(header_faults(facts.header), "The header says what its command line does.");
-    check_statement(folder, facts, {version, commit}, findings);
+    const Gauge here{version, commit};
+    check_header(facts.header, here, findings);
+    check_statement(folder, facts, here, findings);
     check_run_files(folder, facts, findings);
-    check_cases(folder, corpus_of(corpus, facts.header, findings), facts, findings);
+    check_cases(folder, corpus_of(corpus, facts.header, findings), facts, here, findings);
     tell_fresh_programs(facts, findings);
   } catch (const std::runtime_error& error) {
     // A file that is faulty; what follows from it cannot be checked any more.

@@ -12,39 +12,46 @@
 #include "corpus/io/corpus.hpp"
 #include "publish/evidence/rejudge.hpp"
 #include "publish/evidence/verify_sums.hpp"
+#include "publish/evidence/verify_waivers.hpp"
 
 namespace gonogo::oracle::evidence {
 
 class VerdictsAgain {
  public:
   // `traces`: folder with `<id>.jsonl` of the cases; there may be none. `waivers`: the known
-  // failures of the run.
-  VerdictsAgain(const Json& header, std::string traces, std::vector<KnownFailure> waivers);
+  // failures of the run. `alarms`: the entries of its alarm map. `is_own`: it was made by this
+  // gonogo, whose messages are the same.
+  VerdictsAgain(const Json& header, std::string traces, std::vector<KnownFailure> waivers,
+                std::vector<AlarmMap::Entry> alarms = {}, bool is_own = true);
   // `test`: as the corpus and the header have it; null: there is no corpus here.
   void take(const Json& line, const Case* test);
   void tell(Findings& findings) const;
 
  private:
-  // What was done with a verdict: derived, with the fault that was found, or why it was not.
+  // What was done with a verdict: the fault that was found, why it was not derived, else from what.
   struct Answer {
-    std::string fault;
-    std::string not_derived;
+    std::string fault = {};
+    std::string not_derived = {};
+    std::string way = {};
   };
   Answer answer_of(const Json& line, const CaseRow& row, const Case* test);
   Answer of_skip(const Json& line, const CaseRow& row, const Case& test);
-  Answer of_trace(const Json& line, const CaseRow& row, const Case& test);
-  std::string waiver_fault(const Json& line, const CaseRow& row) const;
+  Answer of_trace(const Json& line, const CaseRow& row, const Case& test,
+                  const Wording& wording) const;
+  Wording wording_of(const CaseRow& row) const;
   std::string path_of(const std::string& id) const;
 
   bool is_format_2_;
   RunTolerances tolerances_;
   std::string traces_;
-  std::vector<KnownFailure> waivers_;
+  Wording wording_;
+  RunWaivers waivers_;
+  AlarmMap alarms_;
   std::vector<std::string> faults_;
   std::map<std::string, std::size_t> derived_;      // by how
   std::map<std::string, std::size_t> not_derived_;  // by the reason
-  // Dialect and profile -> a case that was skipped because the subject refused them, and one that
-  // was run under them.
+  // Dialect and profile -> a case that was skipped because the subject refused them, and a case
+  // that was run under them.
   std::map<std::string, std::string> refused_;
   std::map<std::string, std::string> run_;
 };

@@ -8,8 +8,8 @@
 
 namespace gonogo::oracle::evidence {
 
-// In what the header of a run differs from the command line that it names: sentences. Nothing of a
-// run that was merged, whose command line is that of `merge`.
+// In what the header of a run differs from the command line that it names: sentences. Empty for a
+// merged run, whose command line is that of `merge`.
 std::vector<std::string> header_faults(const Json& header);
 
 }  // namespace gonogo::oracle::evidence

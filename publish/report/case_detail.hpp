@@ -22,8 +22,8 @@ struct CorpusCase {
   Json profile;  // the keys that differ from the defaults
   Json program;  // a text, or {"base64"}
 };
-// What the page shows of a case whose line holds no program: that it is GO says enough of the
-// subject, so the path is the reference's.
+// What the page shows of a case whose line holds no program: the subject is GO, so the path is the
+// reference's.
 Json pass_detail(const CorpusCase& test);
 
 // `line` is a case line of a results file, with what its writer knows besides; `subject_name`

@@ -19,9 +19,9 @@ struct Parting {
 
 // {"rows": [[what, reference, reference to the departure, subject to it, hint], ...], "leftOut":
 // motions without a known length}; rows of parts that either side has. A subject is read to its
-// departure, so that is what compares; where it is not known the reference's is "" and of the
-// subject the whole trace counts.
-// Null: not given, for the program renames positions, or there is too much of it.
+// departure, so that both are compared up to there. Where the departure is not known, the
+// reference's entry is "" and the whole trace of the subject counts.
+// Null: not given, because the program renames positions, or there is too much of it.
 Json case_times(const reference::Profile& profile, std::string_view program, const Json& trace,
                 const Parting& parting);
 

@@ -8,6 +8,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <utility>
 
 #include "oracle/records/fresh_counts.hpp"
 #include "oracle/records/text.hpp"
@@ -27,6 +29,13 @@ constexpr std::array<std::string_view, 17> kKept = {
 // Those of them that the header holds as well.
 constexpr std::array<std::string_view, 5> kNumbers = {"--tolerance", "--chord", "--feed-resolution",
                                                       "--blend", "--feed-tolerance"};
+// Which cases were asked for, as the header has it.
+constexpr std::array<std::pair<std::string_view, const char*>, 5> kSelected = {
+    {{"--dialect", "dialects"},
+     {"--only", "only"},
+     {"--case", "cases"},
+     {"--cycle", "cycles"},
+     {"--clause", "clauses"}}};
 
 }  // namespace
 
@@ -84,7 +93,58 @@ std::string program_word() {
   return called.starts_with("./") ? shell_quoted(called) : "gonogo";
 }
 
-std::string command_for_case(const Json& header, CaseOf of) {
+Json run_argv(const Json& header) {
+  const Json shards = header.value("shards", Json::array());
+  const bool is_merged = shards.is_array() && !shards.empty() && shards.front().is_object();
+  return (is_merged ? shards.front() : header).value("argv", Json::array());
+}
+
+std::string subject_folder(const std::string& subject) {
+  constexpr std::size_t kLongest = 60;
+  std::string name;
+  for (const char c : subject) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                       c == '.' || c == '_' || c == '+';
+    if (plain && !(c == '.' && name.empty())) {
+      name += c;
+    } else if (!name.empty() && name.back() != '-') {
+      name += '-';
+    }
+    if (name.size() == kLongest) break;
+  }
+  while (name.ends_with('-')) name.pop_back();
+  return name.empty() ? "subject" : name;
+}
+
+std::string report_folder(const Json& header) {
+  const Json argv = run_argv(header);
+  // Which of the shards asked it their results do not say.
+  if (header.value("shards", Json::array()).size() > 1) return "SHARD";
+  const std::vector<std::string> named = option_values(argv, "--report");
+  const bool are_few =
+      !option_values(argv, "--case").empty() || !option_values(argv, "--failed-of").empty();
+  const std::string report = !named.empty() ? named.back()
+                             : are_few      ? kFewCasesFolder
+                                            : kReportFolder;
+  const std::vector<std::string> subjects = option_values(argv, "--subject");
+  const bool is_of_results = !option_values(argv, "--failed-of").empty();  // they name the subject
+  if (subjects.size() == 1 || (subjects.empty() && is_of_results)) return report;
+  const std::string spec = text_of(header.value("subject", Json::object()), "spec");
+  if (subjects.empty()) return report + "/" + spec.substr(spec.find(':') + 1);
+  // Each subject of several has a folder, and two of one name have two.
+  std::set<std::string> names;
+  for (const std::string& subject : subjects) {
+    std::string name = subject_folder(subject);
+    while (!names.insert(name).second) name += "-again";
+    if (subject == spec) return report + "/" + name;
+  }
+  return report;
+}
+
+namespace {
+
+// Without the cases.
+std::string command_begin(const Json& header, CaseOf of) {
   const Json subject = header.value("subject", Json::object());
   std::string command =
       program_word() + " certify --subject " + shell_quoted(text_of(subject, "spec"));
@@ -93,16 +153,15 @@ std::string command_for_case(const Json& header, CaseOf of) {
     command += option;
     command += ' ' + shell_quoted(value);
   };
-  const Json argv = header.value("argv", Json::array());
+  const Json argv = run_argv(header);
   for (std::string_view option : kKept) {
     if (of == CaseOf::fresh && option == "--corpus") {
-      const std::vector<std::string> report = option_values(argv, "--report");
-      add(option, fmt::format("{}/{}", report.empty() ? "report" : report.back(), kFreshRoom));
+      add(option, fmt::format("{}/{}", report_folder(header), kFreshRoom));
       continue;
     }
     const std::vector<std::string> values = option_values(argv, option);
     for (const std::string& value : values) add(option, value);
-    // A merged run has another command line; what the header says of itself still holds.
+    // Merged results may not name the command lines of their shards; the header still says these.
     if (!values.empty()) continue;
     if (option == "--reading" && header.contains("readings")) {
       for (const Json& reading : header["readings"]) {
@@ -118,7 +177,33 @@ std::string command_for_case(const Json& header, CaseOf of) {
   }
   if (header.value("strict", Json(false)) == true) command += " --strict";
   if (header.value("show_ids", Json(false)) == true) command += " --show-ids";
-  return command + " --case ";
+  return command;
+}
+
+}  // namespace
+
+std::string command_for_case(const Json& header, CaseOf of) {
+  return command_begin(header, of) + " --case ";
+}
+
+std::string command_for_run(const Json& header) {
+  std::string command = command_begin(header, CaseOf::corpus);
+  const Json selection = header.value("selection", Json::object());
+  const auto add = [&](std::string_view option, const std::string& value) {
+    command += fmt::format(" {} {}", option, shell_quoted(value));
+  };
+  for (const auto& [option, key] : kSelected) {
+    for (const std::string& value : texts_of(selection, key)) add(option, value);
+  }
+  if (const std::string one = text_of(selection, "case"); !one.empty()) add("--case", one);
+  if (const std::string shard = text_of(header, "shard"); shard != "1/1" && !shard.empty()) {
+    add("--shard", shard);
+  }
+  for (const std::string& fresh : option_values(run_argv(header), "--fresh")) add("--fresh", fresh);
+  if (const auto seed = count_of(header, "seed"); seed && *seed != 0) {
+    add("--seed", std::to_string(*seed));
+  }
+  return command + " --jobs 1 --report " + kFewCasesFolder;
 }
 
 }  // namespace gonogo::oracle::report

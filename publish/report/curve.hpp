@@ -11,8 +11,8 @@ namespace gonogo::oracle::report {
 
 inline constexpr double kStepsPerTurn = 128;
 
-// An arc or helix: `plane`, `centre` (p, q) and `rot` as in a record. The radius goes linearly
-// from that of the start to that of the end. At most `max_segments` segments.
+// An arc or helix: `plane`, `centre` (p, q) and `rot` as in a record. The radius is linear from the
+// radius at the start to that at the end. At most `max_segments` segments.
 struct ArcShape {
   reference::Plane plane = reference::Plane::g17;
   std::array<double, 2> centre{};

@@ -20,7 +20,7 @@ struct PocketFloor {
   reference::Plane plane = reference::Plane::g17;
   double depth = 0;  // coordinate of the depth axis, mm
   double tool_radius = 0;
-  // Where its levels are free: the coordinate that they begin at, `depth` being that of the floor.
+  // Where its levels are free: the coordinate where they begin; `depth` is then that of the floor.
   std::optional<double> top = std::nullopt;
 };
 
@@ -49,7 +49,7 @@ inline constexpr std::size_t kMostNumbered = 16;
 // there are too many.
 std::vector<std::size_t> motion_numbers(const Path& path);
 
-// What the sheet of a pocket names in its document: a page of several gives each its own.
+// The id that the sheet of a pocket uses in its document: a page of several gives each its own.
 inline constexpr std::string_view kPocketClip = "gs-pocket";
 
 // A well-formed SVG document; empty when no linear axis moves.

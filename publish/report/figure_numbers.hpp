@@ -10,7 +10,7 @@
 
 namespace gonogo::oracle::report {
 
-// Each where it covers no other, beside its motion as far as there is room.
+// Puts each number where it covers no other, beside its motion as far as there is room.
 void append_numbers(std::string& out, const View& view, const Path& path);
 
 }  // namespace gonogo::oracle::report

@@ -187,7 +187,7 @@ std::optional<ReportError> write_html_report(const std::string& results,
                     results, kResultsFormat)};
   }
   HtmlPage page(directory, *header);
-  Summary summary;
+  Summary summary(*header);
   std::optional<Json> footer;
   std::uint64_t bad_lines = 0;
   CaseHead head;

@@ -37,8 +37,8 @@ class HtmlPage {
   // The whole line of the case that was added last. REQUIRES: it is not GO. `always`: with its
   // drawing, however large the page has become.
   void add_detail(const Json& line, bool always);
-  // What is known of the case that was added last, which is GO. Only so much is kept in a page;
-  // false: no more is.
+  // What is known of the case that was added last, which is GO. A page keeps only a limited number;
+  // false: it takes no more.
   bool add_pass(const CorpusCase& test);
   // What Summary::finish() says. An error when anything could not be written.
   std::optional<ReportError> finish(const Json& summary);

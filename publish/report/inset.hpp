@@ -16,8 +16,8 @@ namespace gonogo::oracle::report {
 std::optional<View> inset_view(const Layout& layout, const Path& reference,
                                const std::optional<Point3>& expected, const Point3& witness,
                                const SheetBox& frame);
-// The path near the middle of the view: what is far outside would be numbers that no viewer draws
-// exactly. `owner` as of append_path.
+// The path near the middle of the view: what is far outside would have coordinates that no viewer
+// draws exactly. `owner` as in append_path.
 void append_inset_path(std::string& out, const View& view, const Path& path, char owner);
 
 }  // namespace gonogo::oracle::report

@@ -84,7 +84,7 @@ class PathSampler {
                std::string text);
   // The position gets a new name; nothing is drawn.
   void rename(const reference::Position& shift);
-  // What a cycle calls its places; those that are one have their names together.
+  // What a cycle calls its places; one place with several names has them together.
   void add_names(std::uint64_t block, const reference::CyclePlaces& places);
   void mark_cut() { path_.cut = true; }
   Path take() { return std::move(path_); }

@@ -13,9 +13,9 @@
 
 namespace gonogo::oracle::report {
 
-// The border of the level that is drawn: of the block and the depth of the departure where there
-// is one, else of the deepest level of the first pocket; of levels that are free, at that depth
-// itself. Nothing: no pocket.
+// The border of the level that is drawn: that of the block and the depth of the departure, if there
+// is one; else the deepest level of the first pocket. Free levels are drawn at the departure's own
+// depth. Nothing: no pocket.
 std::optional<Limit> level_shown(const std::vector<Limit>& limits, std::uint64_t block,
                                  const std::optional<Point3>& departure);
 

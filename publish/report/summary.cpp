@@ -159,6 +159,8 @@ Json findings_json(const Findings& findings) {
   return list;
 }
 
+Summary::Summary(const Json& header) : scope_(declared_in(header)) {}
+
 const Finding* Summary::add(const CaseHead& line) {
   const VerdictKind kind = verdict_kind(line.verdict).value_or(VerdictKind::oracle_error);
   scope_.add(line, kind);
@@ -361,7 +363,8 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
           {"scope", scope_json(scope_)},
           {"notChecked", not_checked(header)},
           {"command", command_for_case(header)},
-          {"freshCommand", command_for_case(header, CaseOf::fresh)}};
+          {"freshCommand", command_for_case(header, CaseOf::fresh)},
+          {"runCommand", command_for_run(header)}};
 }
 
 }  // namespace gonogo::oracle::report

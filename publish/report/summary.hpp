@@ -22,7 +22,7 @@ namespace gonogo::oracle::report {
 
 using Json = nlohmann::ordered_json;
 
-// A name that is no verdict's is NO-GO, so that nothing unknown passes.
+// An unknown name counts as NO-GO, so that nothing unknown passes.
 Decision decision_of(const std::string& verdict);
 
 // The cases of one cycle that hit one clause.
@@ -35,6 +35,8 @@ struct MatrixCell {
 
 class Summary {
  public:
+  // `header`: of the results.
+  explicit Summary(const Json& header);
   // The finding that the case belongs to; null: it is none.
   const Finding* add(const CaseHead& line);
   // What a finding is likely to come from, as find_causes() of the program says it.

@@ -25,7 +25,7 @@ class TextRoom {
 
   // How much a text would cover: 0 is nothing, and another text weighs most.
   double cover(const SheetBox& box) const;
-  // The first of the boxes that covers least, which is taken from now on. REQUIRES: there is one.
+  // Takes the first of the boxes that cover least. REQUIRES: there is one.
   std::size_t take(std::span<const SheetBox> boxes);
 
  private:

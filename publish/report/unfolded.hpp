@@ -18,8 +18,8 @@ struct Unfolding {
   std::uint64_t block = 0;  // only of this block; 0: of all
 };
 
-// Where some coordinate goes to and fro often enough, along a line that it has to itself: of the
-// block, if it is not 0, else of the whole path if that is short, else of its busiest block.
+// Where some coordinate goes to and fro often enough, along a line of its own: in the block, if it
+// is not 0; else in the whole path if that is short, else in its busiest block.
 std::optional<Unfolding> unfolding_of(const Path& path, std::uint64_t block);
 // The same path, with as many motions, seen so: X is the place of the motion, Z the coordinate.
 // Motions of other blocks do not move in it.

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "campaign_testing.hpp"
 #include "campaign/results_reader.hpp"
 #include "campaign/selection.hpp"
+#include "campaign_testing.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -185,6 +185,18 @@ TEST(Campaign, ASubjectThatSkipsAllButOneIsGoForNoFeature) {
           "part: basic (1 of 10 cases); not compared: M functions, source lines; fresh programs: "
           "none\""),
       std::string::npos)
+      << footer;
+}
+
+// What it calls its reason is none of a declaration that it does not make.
+TEST(Campaign, ASkippedFeatureIsUndeclaredOnlyWhereTheSubjectDeclares) {
+  const Scratch scratch;
+  write_corpus(scratch, 10);
+  const std::string footer =
+      results_of(scratch, "r", options_of(1), fake_maker(skipping_all_but("t.000003", "basic")));
+  EXPECT_NE(footer.find("\"head\":\"GO: 1 judged; not claimed: 9 cases; not judged for the most "
+                        "part: basic (1 of 10 cases)"),
+            std::string::npos)
       << footer;
 }
 

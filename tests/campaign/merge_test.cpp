@@ -5,18 +5,18 @@
 
 #include <regex>
 
-#include "campaign_testing.hpp"
 #include "campaign/results_reader.hpp"
+#include "campaign_testing.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
 constexpr unsigned kShards = 3;
 
-// Without what may differ: argv, us and attempts.
+// Without what may differ: argv, us and attempts; and the shards, which stand last in the header.
 std::string comparable(const std::string& text) {
-  return std::regex_replace(text, std::regex("\"(us|attempts)\":[0-9]+|\"argv\":\\[[^\\]]*\\]"),
-                            "");
+  const std::string one = std::regex_replace(text, std::regex(",\"shards\":\\[.*\\]"), "");
+  return std::regex_replace(one, std::regex("\"(us|attempts)\":[0-9]+|\"argv\":\\[[^\\]]*\\]"), "");
 }
 
 class Merge : public ::testing::Test {
@@ -85,6 +85,11 @@ TEST_F(Merge, FreshProgramsOfShardsAddUp) {
   }
   const MergeOutcome outcome = merge({"s1", "s2", "s3"});
   EXPECT_EQ(outcome.footer.fresh, (FreshCounts{{"gsk988ta", {27, 6, 3}}}));
+  // Each is drawn again from the seed of its shard.
+  const auto shards = ResultsReader(scratch_.path("merged")).header()["shards"];
+  ASSERT_EQ(shards.size(), kShards);
+  EXPECT_EQ(shards[1]["shard"], "2/3");
+  EXPECT_EQ(shards[1]["fresh"]["gsk988ta"]["programs"], 2);
   EXPECT_TRUE(outcome.answer.head.ends_with("; fresh programs: 3")) << outcome.answer.head;
 }
 
@@ -98,7 +103,11 @@ TEST_F(Merge, ShardsOfDifferentSeedsAreOneRunWithoutASeed) {
       results_of(scratch_, "s" + std::to_string(shard), one, fake_maker(fake_));
     }
     EXPECT_EQ(merge({"s1", "s2", "s3"}).answer.exit_code, 0);
-    return ResultsReader(scratch_.path("merged")).header()["seed"].get<std::uint64_t>();
+    const auto header = ResultsReader(scratch_.path("merged")).header();
+    for (unsigned shard = 1; shard <= kShards; ++shard) {
+      EXPECT_EQ(header["shards"][shard - 1]["seed"], 7 + step * shard);
+    }
+    return header["seed"].get<std::uint64_t>();
   };
   EXPECT_EQ(merged_seed(0), 7U);
   EXPECT_EQ(merged_seed(1), 0U);

@@ -272,6 +272,50 @@ TEST(CheckerVerdicts, AKnownFailureMustFail) {
   expect_said(shop, 1, "differs  " + kLineCase + ": The file says xfail; derived: GO.");
 }
 
+// J-RUN-13: it reads no file of known failures.
+TEST(CheckerVerdicts, WhatAKnownFailureMakesOfACaseIsUnproven) {
+  Workshop shop;
+  shop.change_results(R"("chord":null)", R"("chord":null,"known_failures":"ab")");
+  expect_said(shop, 3, "Which passes are known to fail was not derived.");
+  shop.change_trace(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"3"},"f")");
+  shop.set_verdict(kLineCase, "xfail");
+  expect_said(shop, 3, "1  xfail: departs, but known failures are not read here");
+}
+
+TEST(CheckerVerdicts, AKnownFailureWithoutItsEvidenceIsNoticed) {
+  for (const char* key : {"\"program\":", "\"trace\":"}) {
+    Workshop shop;
+    shop.change_results(R"("chord":null)", R"("chord":null,"known_failures":"ab")");
+    shop.change_trace(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"3"},"f")");
+    shop.set_verdict(kLineCase, "xfail");
+    shop.change_lines(key, "\"notes\":");
+    expect_said(shop, 1, std::string("The line has no ") + (key[1] == 'p' ? "program" : "trace"));
+  }
+}
+
+TEST(CheckerVerdicts, AHeadLineThatTheLinesDoNotMakeIsNoticed) {
+  const auto with_head = [](Workshop& shop, const std::string& head) {
+    shop.change_results(R"("assignments":[])", R"("assignments":[],"head":")" + head + "\"");
+  };
+  Workshop honest;
+  with_head(honest, "GO for basic of rs274: 3 judged; sandbox: none");
+  expect_said(honest, 0, "3 verdicts derived again");
+  for (const char* head : {"GO for basic of rs274: 18,000 judged", "NO-GO: 3 judged",
+                           "UNDECIDED: 3 judged", "GO for basic of rs274: 13 judged"}) {
+    Workshop shop;
+    with_head(shop, head);
+    expect_said(shop, 1, "The head line of the footer does not say GO and 3 judged.");
+  }
+}
+
+// Their answers are in no file, so that this changes no exit code.
+TEST(CheckerVerdicts, FreshProgramsAreToldAsNotShown) {
+  Workshop shop;
+  shop.change_results(R"("assignments":[])",
+                      R"("assignments":[],"fresh":{"rs274":{"wanted":3,"programs":2,"judged":2}})");
+  expect_said(shop, 0, "No line shows what the subject did with 2 fresh programs of rs274.");
+}
+
 TEST(CheckerVerdicts, ASkippedCaseWithATraceIsNoticed) {
   Workshop shop;
   shop.set_verdict(kLineCase, "skip");

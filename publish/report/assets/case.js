@@ -20,7 +20,7 @@ function showCase(c) {
     el('p', { class: 'message' }, c.message || (decisionOf(c.verdict) === 'go' ? 'This case is GO.' : 'No message.')));
   if (data) showFailure(detail, c, data);
   else showPass(detail, c, passOf(c.index));
-  detail.append(commandBox([c.id, data?.readings?.against].filter(Boolean)));
+  detail.append(commandBox([c.id, data?.readings?.against].filter(Boolean), [c.verdict, data?.departure].includes('state-leak')));
   // Back leads from the first case to where it was chosen; stepping along the list leaves no trail.
   const hash = `#case=${encodeURIComponent(c.id)}`;
   if (location.hash === hash) return;
@@ -110,7 +110,8 @@ function showFailure(detail, c, data) {
     fact('Clause', el('strong', { class: 'mono' }, c.clause), clause ? ` ${clause.text} ` : ' not in the catalog',
       clause ? el('span', { class: 'level' }, `${clause.source}; ${clause.level}`) : null);
   }
-  if (data.departure) fact('Would be', el('span', { class: 'mono' }, data.departure), ' if a text stated it');
+  if (data.departure && c.verdict === 'xfail') fact('Fails with', el('span', { class: 'mono' }, data.departure), ' as it is known to');
+  else if (data.departure) fact('Would be', el('span', { class: 'mono' }, data.departure), ' if a text stated it');
   if (data.rule) fact('Rule', el('span', { class: 'mono' }, data.rule), ` ${kRules[data.rule] ?? ''}`);
   if (data.gap) fact('Undecided for', el('span', { class: 'mono' }, data.gap));
   if (data.basis) fact('Stands on', { text: 'a text of the manual', derived: 'what follows from a text', silent: 'no text: our judgement' }[data.basis] ?? data.basis);
@@ -212,8 +213,9 @@ const quoted = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replac
 const isFresh = (id) => id.startsWith('fresh.');
 const commandLine = (ids) => (isFresh(ids[0]) ? summary.freshCommand : summary.command) + ids.map(quoted).join(' --case ');
 
-function commandBox(ids) {
-  const pre = el('pre', { id: 'command', tabindex: 0 }, commandLine(ids));
+// Alone, a case shows nothing of what an earlier one left behind.
+function commandBox(ids, isLeak) {
+  const pre = el('pre', { id: 'command', tabindex: 0 }, isLeak ? summary.runCommand : commandLine(ids));
   const button = el('button', { type: 'button', on: { click: async () => {
     try {
       await navigator.clipboard.writeText(pre.textContent);
@@ -222,5 +224,5 @@ function commandBox(ids) {
       getSelection().selectAllChildren(pre);
     }
   } } }, 'Copy');
-  return el('div', {}, el('h3', {}, 'Run this case again'), el('div', { class: 'command' }, pre, button));
+  return el('div', {}, el('h3', {}, isLeak ? 'Run all cases again, one after the other' : 'Run this case again'), el('div', { class: 'command' }, pre, button));
 }

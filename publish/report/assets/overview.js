@@ -97,7 +97,7 @@ function showFindings() {
   for (const finding of findings) {
     if ((finding.cause ?? '') !== cause) {
       body.push(el('tr', { class: 'cause' }, el('th', { colspan: 5, scope: 'rowgroup' },
-        finding.cause ? finding.causeText : 'Of causes that are not named')));
+        finding.cause ? finding.causeText : 'Cause not named')));
     }
     cause = finding.cause ?? '';
     body.push(findingRow(finding));
@@ -154,7 +154,7 @@ function showRun() {
   if (header.blend != null) fact('Blend', `${exactText(header.blend)} mm, set by the certifier`);
   if (header.feed_tolerance != null) fact('Feed tolerance', `${exactText(header.feed_tolerance)} %, set by the certifier`);
   if (header.show_ids === true) fact('Names of cases', 'are told to the subject (--show-ids)');
-  fact('Advices', header.strict ? 'are NO-GO (--strict)' : 'are told, and are no NO-GO');
+  fact('Advices', header.strict ? 'are NO-GO (--strict)' : 'are listed, and are no NO-GO');
   fact('Seed, shard', `${header.seed ?? '?'}, ${header.shard ?? '?'}`);
   fact('Command', Array.isArray(header.argv) ? header.argv.map((word) => quoted(String(word))).join(' ') : '', true);
   if (summary.footer?.left_out > 0) fact('Left out', `${counted(summary.footer.left_out, 'case', 'cases')} that contradict the profile or the readings asked for`);

@@ -160,5 +160,5 @@ function sheetLegend(svg) {
   const lathe = svg.querySelector('[data-diameters]') !== null;
   return el('p', { class: 'note sheet-legend' },
     ...kLegend.filter(([css]) => svg.querySelector(`[data-view] .${css.replace(' ', '.')}`)).map(([css, words]) => legendEntry(css, words)),
-    el('span', {}, `Millimetres${lathe ? ', X as a diameter' : ''}. Of rapids only the ends are specified.`));
+    el('span', {}, `Millimetres${lathe ? ', X as a diameter' : ''}. Only the ends of rapids are specified.`));
 }

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/results.hpp"
+#include "oracle/judge/judge_session.hpp"
+#include "oracle/records/trace_reader.hpp"
 #include "publish/evidence/certificate_files.hpp"
 #include "publish/evidence/rejudge.hpp"
 #include "publish/evidence/verify.hpp"
 #include "publish/evidence/verify_header.hpp"
-#include "oracle/judge/judge_session.hpp"
-#include "oracle/records/trace_reader.hpp"
 #include "tests/publish/evidence/results_files.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -207,6 +207,44 @@ TEST_F(Certificate, AVerdictThatProgramAndTraceDoNotGiveIsFound) {
       << faults();
 }
 
+// J-RUN-13: a departure says no more than what is derived.
+TEST_F(Certificate, WordsThatTheDepartureDoesNotHaveAreFound) {
+  const RunTolerances run = run_tolerances(Json::parse(kHeaderLine));
+  const Json own = Json::parse(departure());
+  EXPECT_EQ(rejudge(own, run).fault, "");
+  const auto fault_with = [&](const char* key, const Json& value) {
+    Json line = own;
+    line[key] = value;
+    return rejudge(line, run).fault;
+  };
+  for (const auto& [key, value] :
+       {std::pair("message", "The gauge has a known defect here."), std::pair("rule", "R8"),
+        std::pair("basis", "silent"), std::pair("word", "J"), std::pair("told_under", "k=v"),
+        std::pair("feature", "turns"), std::pair("gap", "comparison")}) {
+    EXPECT_NE(fault_with(key, value).find(value), std::string::npos) << key;
+  }
+  EXPECT_NE(fault_with("witness", {{"x", "9"}, {"y", "9"}, {"z", "9"}}), "");
+  EXPECT_NE(fault_with("deviation", {{"exact", own["deviation"]["exact"]}, {"mm", "12"}}), "");
+  // No reading explains -20 in place of -15; which one would may hang on how the run ended.
+  Json line = own;
+  line["reading"] = "gsk.g94.in-mode=keep";
+  EXPECT_FALSE(rejudge(line, run).judged);
+}
+
+// Another gonogo may have said it in other words, and a run may add what came of its second run.
+TEST_F(Certificate, AMessageIsHeldWhereItIsOfThisGonogo) {
+  const RunTolerances run = run_tolerances(Json::parse(kHeaderLine));
+  Json line = Json::parse(departure());
+  line["message"] = line["message"].get<std::string>() + " A fresh process gave no answer in time.";
+  Wording wording;
+  EXPECT_NE(rejudge(line, run, wording).fault, "");
+  wording.additions = {" A fresh process gave no answer in time."};
+  EXPECT_EQ(rejudge(line, run, wording).fault, "");
+  line["message"] = "Words of an earlier gonogo.";
+  wording.is_own = false;
+  EXPECT_EQ(rejudge(line, run, wording).fault, "");
+}
+
 // X60 is a diameter; the pass is derived from the line, for no trace is kept.
 TEST_F(Certificate, AKnownFailureThatPassesIsDerivedFromItsLine) {
   const auto line = [](const std::string& verdict, const std::string& x) {
@@ -254,6 +292,20 @@ TEST_F(Certificate, StatesWhatWasToldAndGrantedBesides) {
   EXPECT_NE(page.find("- Feed tolerance: 300 %, granted by the certifier\n"), std::string::npos);
   EXPECT_NE(page.find("- Names of cases: are told to the subject"), std::string::npos);
   EXPECT_NE(page.find("granted: feed tolerance 300 %, names of cases"), std::string::npos);
+}
+
+// J-RUN-02: the subject declares exact numbers, of which nothing is capped.
+TEST_F(Certificate, CappedNumbersThatTheDeclarationsDoNotGiveAreFound) {
+  const auto with_capped = [](const std::string& list) {
+    std::string text = results_text({kG94Pass});
+    const std::string from = R"("chord":null,)";
+    return text.replace(text.find(from), from.size(), from + R"("capped":)" + list + ",");
+  };
+  ASSERT_FALSE(write(with_capped("[]")));
+  EXPECT_EQ(faults(), "");
+  ASSERT_FALSE(
+      write(with_capped(R"([{"dialect":"gsk988ta","what":"chord","declared":"5","counts":"0"}])")));
+  EXPECT_TRUE(faults().starts_with("The header says capped ")) << faults();
 }
 
 TEST_F(Certificate, ResultsOfAnotherRunAreFound) {

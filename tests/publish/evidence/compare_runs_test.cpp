@@ -79,6 +79,18 @@ TEST_F(CompareRuns, TwoRunsAreComparedAsCompareResultsDoes) {
   EXPECT_EQ(many.same, two.same);
 }
 
+// J-RUN-16.
+TEST_F(CompareRuns, KnownFailureIsARegressionWhereItFailsOtherwise) {
+  const std::string known = run_line("a", "xfail", R"(,"departure":"fail.order","b":2)");
+  const std::string passed = run_line("b", "pass-exact");
+  const auto regressions = [&](const std::string& now) {
+    return compare({{known, passed}, {known, passed}, {now, passed}}).count(Change::regression);
+  };
+  EXPECT_EQ(regressions(run_line("a", "fail.order", R"(,"b":2)")), 0U);
+  EXPECT_EQ(regressions(run_line("a", "fail.order", R"(,"b":3)")), 1U);
+  EXPECT_EQ(regressions(run_line("a", "crash", R"(,"b":2)")), 1U);
+}
+
 TEST_F(CompareRuns, TextsHaveARowOfVerdictsForEachCase) {
   const RunsComparison comparison =
       compare({{run_line("a", "pass-exact"), run_line("b", "pass-exact")},

@@ -80,6 +80,21 @@ TEST_F(Compare, KnownFailureThatFailsOtherwiseNowIsARegression) {
   EXPECT_EQ(compare({line("a", "xfail")}, {line("a", "crash")}).count(Change::regression), 1U);
 }
 
+// J-RUN-16: the entry is gone and the failure is the same, elsewhere, or gone as well.
+TEST_F(Compare, KnownFailureThatFailsAsBeforeIsNoRegression) {
+  const auto known = [](const char* b) {
+    return line("a", "xfail",
+                std::string(R"(,"departure":"fail.order","known":"r","message":"x","b":)") + b);
+  };
+  const auto fails = [](const char* b) {
+    return line("a", "fail.order", std::string(R"(,"message":"x","b":)") + b);
+  };
+  EXPECT_EQ(compare({known("2")}, {fails("2")}).count(Change::regression), 0U);
+  EXPECT_EQ(compare({known("2")}, {fails("2")}).count(Change::verdict), 1U);
+  EXPECT_EQ(compare({known("2")}, {fails("3")}).count(Change::regression), 1U);
+  EXPECT_EQ(compare({known("2")}, {line("a", "xpass")}).count(Change::regression), 0U);
+}
+
 TEST_F(Compare, CasesOfOneRunOnlyAreNewOrGone) {
   const Comparison comparison =
       compare({line("a", "pass-exact"), line("c", "pass-exact"), line("d", "pass-exact")},

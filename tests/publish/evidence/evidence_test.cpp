@@ -358,6 +358,24 @@ TEST_F(Evidence, AnAdviceIsListedAndIsNoFailure) {
   EXPECT_EQ(read("programs/ngc.t.1.nc"), "G0 X1\n");
 }
 
+// J-RUN-04: what a text would make of it is asked of an advice alone.
+TEST_F(Evidence, SarifSaysOfAnAdviceAloneWhatATextWouldMakeOfIt) {
+  std::string known = kKnown;
+  known.insert(known.size() - 1, R"(,"departure":"fail.order","program":"G0 X1\n","trace":[])");
+  write(results_text({known, kAdvice}));
+  const json run = sarif();
+  ASSERT_EQ(run["results"].size(), 2U);
+  const auto message = [&](std::size_t i) {
+    return run["results"][i]["message"]["text"].get<std::string>();
+  };
+  EXPECT_NE(message(0).find("\nIt is known to fail with fail.order: chords"), std::string::npos)
+      << message(0);
+  EXPECT_EQ(message(0).find("if a text"), std::string::npos);
+  EXPECT_NE(message(1).find("\nIt would be fail.alarm-missing if a text of the manual stated it."),
+            std::string::npos)
+      << message(1);
+}
+
 TEST_F(Evidence, WhatIsDeclaredAndSkippedIsListed) {
   write(results_text({kPass, kDeclared}, "NO-GO"));
   const std::string summary = read("summary.md");

@@ -126,6 +126,7 @@ TEST(ResultsReader, SaysOfAHeaderWhichValueIsOfAnotherKind) {
            {R"({"corpus":"2026.6.0"})", "object at /corpus"},
            {R"({"profile":[]})", "object at /profile"},
            {R"({"seed":-1})", "count at /seed"},
+           {R"({"shards":[{"seed":1,"argv":[],"fresh":{}}]})", "list of shards at /shards"},
            {R"({"strict":"no"})", "true or false at /strict"}}) {
     EXPECT_EQ(fault_of(header_with(changes)), std::string(": line 1 has no ") + place + ".")
         << changes;
