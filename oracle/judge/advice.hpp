@@ -8,9 +8,9 @@
 
 namespace gonogo::oracle {
 
-// J-ALM-03: the departure as an advice, where no text states its clause and the certifier is not
-// strict; else as it is. REQUIRES: it is what the other answer to the clause's question would be.
-// Nothing else is an advice.
+// J-ALM-03: makes the departure an advice where no text states its clause and the certifier is not
+// strict; else leaves it. REQUIRES: it is the other answer to the clause's question. Nothing else
+// is an advice.
 Verdict advised(Verdict departure, const Tolerances& tolerances);
 
 }  // namespace gonogo::oracle

@@ -17,7 +17,7 @@ using reference::NotCovered;
 using reference::Renaming;
 
 Alignment::Alignment(ReferenceSteps& steps, const Position& start, const Tolerances& tolerances,
-                     OpenStepMemory& memory)
+                     FreeStepMemory& memory)
     : steps_(steps), tolerances_(tolerances), memory_(memory), hypotheses_(1) {
   hypotheses_.front().at = hypotheses_.front().anchor = start;
 }
@@ -103,8 +103,8 @@ void Alignment::refute(Refutation refutation) {
   farthest_ = refutation.is_undue && own_ ? *own_ : std::move(refutation);
 }
 
-// J-CMP-12: where no motion is due any more, the one that came is the first of its block that it
-// may stand for, and that was passed over. Not one of which rounding decides what it is.
+// J-CMP-12: where no motion is due any more, the one that came stands for the first of its block
+// that it may be and that was omitted. Not for one whose kind rounding decides.
 void Alignment::keep_own(const Refutation& refutation) try {
   const auto is_of_kind = [](const Refutation& one) {
     return one.answer.departure != Departure::kind;
@@ -176,7 +176,7 @@ bool Alignment::meet(Hypothesis& from, Motion& motion, Stage& stage) {
   } else if (std::holds_alternative<Record>(what) || std::holds_alternative<AlarmReport>(what)) {
     return meet_last(from, motion, stage);
   } else {
-    meet_open_step(std::move(from), std::move(motion), stage);
+    meet_free_step(std::move(from), std::move(motion), stage);
   }
   return false;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which motions of the subject are which steps of the reference (docs/judging.md, R3,
-// R1). A hypothesis says how far the subject has come: at which step,
-// how far along it. A motion may be a piece of the step, be the end of it, go on from it into the
-// next where the two are one line or circle, be negligible, or stand behind steps too small to
-// see, which the subject omits. What no hypothesis explains is a NO-GO, described by the one that
-// came farthest.
+// Which motions of the subject are which steps of the reference (docs/relation.md, R1, R3). A
+// hypothesis says at which step the subject is, and how far along it. A motion may be a piece of
+// the step, end it, go on from it into the next where the two are one line or circle, be
+// negligible, or stand behind steps too small to see, which the subject omits. What no hypothesis
+// explains is a NO-GO, described by the hypothesis that came farthest.
 #pragma once
 
 #include <functional>
@@ -15,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/open/open_step.hpp"
+#include "oracle/open/free_step.hpp"
 #include "oracle/records/rounding_census.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/steps/reference_steps.hpp"
@@ -38,7 +37,7 @@ struct Hypothesis {
   CurveProgress left_progress;
 
   // For a step whose path is open. `waiting`: its next motion, which others may continue.
-  std::shared_ptr<OpenStep> open;
+  std::shared_ptr<FreeStep> open;
   std::optional<Motion> waiting;
 
   std::size_t passed = 0;             // item of the last motion that was left behind
@@ -55,8 +54,8 @@ struct Hypothesis {
   bool is_fresh() const { return !curve && !open; }
 };
 
-// J-CMP-12. What departs is out of order where a record follows that `shows` it, which `message`
-// says. Null: nothing shows it. `verdict`: on that, where something else departs then.
+// J-CMP-12. What departs is out of order if a later record `shows` that (null: none does), and
+// `message` says so. `verdict`: the verdict then, where something else departs.
 struct OtherOrder {
   std::function<bool(const Record&)> shows = nullptr;
   std::string_view message = {};
@@ -86,7 +85,7 @@ class Alignment {
  public:
   // All must outlive it.
   Alignment(ReferenceSteps& steps, const Position& start, const Tolerances& tolerances,
-            OpenStepMemory& memory);
+            FreeStepMemory& memory);
 
   // The subject's next motion, or dwell. False: no hypothesis explains it (see `refutation`).
   bool take_motion(const Record& record, std::size_t number);
@@ -101,8 +100,7 @@ class Alignment {
   std::vector<Hypothesis>& hypotheses() { return hypotheses_; }
   // The first step that may not have been passed yet.
   std::size_t first_step() const;
-  // Where no hypothesis is left: that the gauge cannot decide, or why the one that came farthest is
-  // none.
+  // Where no hypothesis is left: that the gauge cannot decide, or why the farthest one is refuted.
   const std::optional<Verdict>& gap() const { return gap_; }
   Refutation& refutation() { return *farthest_; }
   Forgiven take_forgiven() { return std::exchange(forgiven_, {}); }
@@ -116,15 +114,15 @@ class Alignment {
     std::optional<Verdict> why_not = {};  // of an open path that may not end here
   };
   Passing pass(Hypothesis& hypothesis);
-  // R3: whether the step is a dwell so short that, rounded, it is none.
+  // R3: whether the step is a dwell so short that rounding makes it none.
   bool may_be_none(const ReferenceStep& step) const;
   // Goes past a step as it is.
   void skip(Hypothesis& hypothesis);
-  // R7. Goes on behind an end that no text states, which is an advice: what departs there
-  // from the end. False where the step is none, or the certifier is strict.
+  // R7. Goes on behind an end that no text states, which is an advice. `departure`: what comes
+  // there departs from the end. False where the step is no such end, or the certifier is strict.
   bool go_on_behind_end(Hypothesis& hypothesis, Verdict departure);
-  // The judge of the step, which is open: null, if it is not.
-  OpenStep* open_step_of(Hypothesis& hypothesis);
+  // The judge of an open step; null: the step is not open.
+  FreeStep* free_step_of(Hypothesis& hypothesis);
 
  private:
   // R9.
@@ -174,23 +172,23 @@ class Alignment {
   void depart(const Hypothesis& from, const Motion& motion, CurveAnswer answer, Stage& stage);
   bool leads_outside(const Hypothesis& from, const Motion& motion);
   bool leads_over_m_function(const Hypothesis& from, const Motion& motion);
-  bool leads_into_open_step(const Hypothesis& from, const Motion& motion, Stage& stage);
+  bool leads_into_free_step(const Hypothesis& from, const Motion& motion, Stage& stage);
   bool leads_past_corner(const Hypothesis& from, const Motion& motion, Stage& stage);
   bool takes_coarse_centre(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
                            Stage& stage);
-  void meet_open_step(Hypothesis from, Motion motion, Stage& stage);
-  void meet_behind_open_step(Hypothesis from, const Motion& motion, Stage& stage);
-  void begin_open_step(Hypothesis& from);
+  void meet_free_step(Hypothesis from, Motion motion, Stage& stage);
+  void meet_behind_free_step(Hypothesis from, const Motion& motion, Stage& stage);
+  void begin_free_step(Hypothesis& from);
   // The waiting motion goes to its step. Where it ends there, or goes beyond, `from` is used up,
   // and `reached` is the result.
   bool take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached);
-  bool leave_open_step(Hypothesis& from, const Position& here);
+  bool leave_free_step(Hypothesis& from, const Position& here);
   bool meet_renaming(Hypothesis& from, Motion& motion, Stage& stage);
   bool leads_to_new_name(const Hypothesis& from, const Motion& motion);
   void meet_outside(Hypothesis from, const Motion& motion, const reference::NotCovered& outside,
                     Stage& stage);
   bool meet_last(Hypothesis& from, const Motion& motion, Stage& stage);
-  // What shows that the dwell of this step only comes later; nothing of another step.
+  // What shows that the dwell of this step only comes later; nothing for another step.
   OtherOrder late_dwell(const ReferenceStep& due) const;
   bool meet_dwell(Hypothesis& from, const Record& record, std::size_t number);
 
@@ -209,14 +207,14 @@ class Alignment {
   void leave_undecided(std::size_t step, Verdict gap);
   bool passes_too_many(const Hypothesis& from, std::size_t passed);
   const ReferenceSteps::Step& step_of(const Hypothesis& from) { return steps_.at(from.step); }
-  // Behind those that are joined.
+  // The step behind those that are joined.
   const ReferenceSteps::Step& step_behind(const Hypothesis& from) {
     return steps_.at(from.step + from.joined + 1);
   }
 
   ReferenceSteps& steps_;
   const Tolerances& tolerances_;
-  OpenStepMemory& memory_;
+  FreeStepMemory& memory_;
   std::vector<Hypothesis> hypotheses_;
   std::optional<Refutation> farthest_;
   // J-CMP-12: of the motion that is met, from a step of its own block that is too small to see.

@@ -18,7 +18,7 @@ using reference::NotCovered;
 
 namespace {
 
-// Whether the M function may come behind this step, which stands behind it.
+// Whether the M function may come behind this step, which the reference has behind it.
 bool may_come_behind(const DueMFunction& due, const ReferenceSteps::Step& step) {
   if (due.is_fixed || step.block != due.record.block) return false;
   const bool waits = cuts(step.what) || dwell_of(step.what) != nullptr;
@@ -32,9 +32,9 @@ bool Alignment::is_told(const DueMFunction& due, const Record& record) const {
          (!tolerances_.compare_blocks || due.record.block == record.block);
 }
 
-// R5. Those of both sides are partners in their order, but for those of one block, which have none
-// among themselves: the subject's next one is the reference's next whichever way its motions are
-// read; what depends on that is whether it may come where the subject stands.
+// R5. The M functions of both sides are partners in order; those of one block have no order among
+// themselves. So the subject's next one is the reference's next, whichever way its motions are
+// read. Only whether it may come where the subject stands depends on that.
 Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_t number) {
   if (!settle()) return MFunction::departs;
   farthest_.reset();
@@ -103,8 +103,9 @@ void Alignment::refute_m_function(Hypothesis from, const Record& record, std::si
   }
 }
 
-// J-CMP-12: where it is due behind a cut that the subject has left unfinished, the cut is short, or
-// goes on behind it; behind a motion that has not begun, this is missing, or comes behind it.
+// J-CMP-12: where the M function is due behind a cut that the subject has left unfinished, the cut
+// is short, or goes on behind it; behind a motion that has not begun, this is missing, or comes
+// behind it.
 void Alignment::refute_early(Hypothesis from, const Record& record, std::size_t number) {
   const ReferenceSteps::Step& step = step_of(from);
   Verdict early = m_function_too_early(record, number, step_text(step.what));
@@ -163,8 +164,8 @@ const DueMFunction* Alignment::overdue(const Hypothesis& from) {
   return is_ignored ? nullptr : overdue_at(from.step);
 }
 
-// Whether the motion is none that comes behind the M function which is due: one of an earlier
-// block, or without lines one that does not lead towards the end of the next.
+// Whether the motion does not belong behind the due M function: it is of an earlier block, or,
+// without lines, does not lead towards the end of the next motion.
 bool Alignment::is_undue(const Motion& motion, const ReferenceSteps::Step& step) const try {
   if (tolerances_.compare_blocks) {
     return steps_.is_in_order() && motion.record.block < step.block;
@@ -196,9 +197,9 @@ bool Alignment::waits_for_m_function(Hypothesis& from, const Motion& motion, Sta
   return true;
 }
 
-// Whether one that is not at its place stands between the motions of a cycle, or stops something
-// before the rest of a cut. A block that cuts and moves otherwise too is a cycle. What closes a
-// clamp may come once the tool is in place.
+// Whether an M function that is not at its place stands between the motions of a cycle, or stops
+// something before the rest of a cut. A block that cuts and also moves otherwise is a cycle. What
+// closes a clamp may come once the tool is in place.
 bool Alignment::is_within(const Hypothesis& from, const DueMFunction& due) {
   const ReferenceSteps::Step& here = step_of(from);
   const std::uint64_t block = due.record.block;
@@ -214,8 +215,8 @@ bool Alignment::is_within(const Hypothesis& from, const DueMFunction& due) {
   }
 }
 
-// Whether it is another one of the block of the one that is due, and may come here as well; it is
-// then the one that is due.
+// Whether it is another M function of the block of the due one, and may come here as well; then it
+// becomes the due one.
 bool Alignment::comes_beside(const Hypothesis& from, const Record& record) {
   std::optional<std::uint64_t> block;
   for (std::size_t number = from.step + from.joined;; ++number) {

@@ -129,8 +129,8 @@ bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const Cu
     next.at = next.anchor = motion.to();
     if (way.done) {
       const Grade grade = grade_of(motion, want, tolerances_, &next.coordinates);
-      next.exact = next.exact && grade.exact;
-      next.rounded = next.rounded && grade.rounded;
+      next.exact = next.exact && grade.exact && !is_chord;
+      next.rounded = next.rounded && grade.rounded && !is_chord;
       is_exact = is_exact || grade.exact;
       if (way.progress.undecided_because != nullptr && !next.instead) {
         next.instead = gap_verdict(way.progress.gap, way.progress.undecided_because);
@@ -139,6 +139,8 @@ bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const Cu
     } else {
       next.progress = way.progress;
       next.piece = motion;
+      const bool is_graded = next.exact || next.rounded;
+      if (is_graded && !is_exact_piece(motion, want)) next.exact = next.rounded = false;
     }
     keep(std::move(next), stage.reached);
   }
@@ -162,7 +164,7 @@ void Alignment::depart(const Hypothesis& from, const Motion& motion, CurveAnswer
                        Stage& stage) {
   if (leads_outside(from, motion)) return;
   if (leads_over_m_function(from, motion)) return;
-  if (leads_into_open_step(from, motion, stage)) return;
+  if (leads_into_free_step(from, motion, stage)) return;
   if (leads_past_corner(from, motion, stage)) return;
   if (takes_coarse_centre(from, motion, answer, stage)) return;
   refute(Refutation{from, motion, std::move(answer), std::nullopt});
@@ -200,24 +202,24 @@ bool Alignment::leads_over_m_function(const Hypothesis& from, const Motion& moti
 }
 
 // A motion that leads to an open path and on into it: from there on its rest.
-bool Alignment::leads_into_open_step(const Hypothesis& from, const Motion& motion, Stage& stage) {
+bool Alignment::leads_into_free_step(const Hypothesis& from, const Motion& motion, Stage& stage) {
   const Motion& want = from.curve->motion();
   if (!from.curve->goes_beyond(from.progress, motion)) return false;
   Hypothesis beyond = from;
   leave_motion(beyond);
   const ReferenceSteps::Step& next = steps_.at(beyond.step);
-  if (!make_open_step(next, tolerances_, memory_) || block_of(next.what) != want.record.block ||
+  if (!make_free_step(next, tolerances_, memory_) || block_of(next.what) != want.record.block ||
       overdue(beyond) != nullptr) {
     return false;
   }
-  begin_open_step(beyond);
+  begin_free_step(beyond);
   Motion rest = motion;
   for (const Axis axis : reference::kLinearAxes) {
     if (moved_axes(motion, 0).has(axis)) rest.from[axis] = want.to()[axis];
   }
   if (!beyond.open->may_begin_within(rest)) return false;
   beyond.at = beyond.anchor = rest.from;
-  meet_open_step(std::move(beyond), std::move(rest), stage);
+  meet_free_step(std::move(beyond), std::move(rest), stage);
   return true;
 }
 

@@ -8,7 +8,7 @@
 
 namespace gonogo::oracle {
 
-// A sum of which it is known that it lies in [low, high].
+// A sum that lies in [low, high].
 class EnclosedSum {
  public:
   void add(const Number& term);
@@ -36,7 +36,7 @@ class CycleTime {
   Number revolutions() const { return turns_.value(); }  // of the spindle: cuts in mm/rev, threads
   Number dwell_seconds() const { return dwell_.value(); }
   Number rapid_length() const { return rapid_.value(); }  // mm along straight lines
-  // Motions without a length that is known here: of rotary axes, circles askew in space.
+  // Motions whose length is not known here: of rotary axes, circles askew in space.
   std::size_t left_out() const { return left_out_; }
 
  private:

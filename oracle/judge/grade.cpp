@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/grade.hpp"
 
+#include <algorithm>
+
 #include "oracle/motion/places.hpp"
 #include "oracle/region/constants.hpp"
 
@@ -32,7 +34,38 @@ bool is_exactly_on(const Motion& round, const Position& point) {
   return dot(v, circle->normal).sign() == 0 && dot(v, v) == circle->radius_2;
 }
 
+// An enclosure may be its exact value or not: it is not.
+bool is_exactly(const Number& got, const Number& exact) {
+  const Number difference = got - exact;
+  return difference.form() != Number::Form::enclosure && difference.sign() == 0;
+}
+
+bool is_exactly_on_line(const Motion& line, const Position& point) {
+  const Axis longest = longest_axis(line);
+  const Number whole = line.to()[longest] - line.from[longest];
+  const Number part = point[longest] - line.from[longest];
+  return std::ranges::all_of(kAllAxes, [&](Axis axis) {
+    return is_exactly((point[axis] - line.from[axis]) * whole,
+                      (line.to()[axis] - line.from[axis]) * part);
+  });
+}
+
 }  // namespace
+
+bool is_exact_piece(const Motion& piece, const Motion& want) try {
+  if (want.record.kind == RecordKind::rapid) return true;
+  if (!is_round(want.record.kind)) {
+    return !is_round(piece.record.kind) && is_exactly_on_line(want, piece.to());
+  }
+  if (!is_round(piece.record.kind) || !is_exactly_on(want, piece.to())) return false;
+  if (piece.record.kind == RecordKind::arc3) return is_exactly_on(want, via_of(piece));
+  const std::optional<Motion> arc =
+      want.record.kind == RecordKind::arc3 ? as_arc(want) : std::optional(want);
+  return arc && is_exactly(piece.record.centre[0], arc->record.centre[0]) &&
+         is_exactly(piece.record.centre[1], arc->record.centre[1]);
+} catch (const exact::Undecided&) {
+  return false;
+}
 
 bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& tolerances) {
   // Half a unit in the last place of a double is at most 2^-53 of its value.

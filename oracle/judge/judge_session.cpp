@@ -203,8 +203,10 @@ void name_readings(const std::string& told_under, Verdict& verdict) {
       fmt::format("{}That is as {} has it.", verdict.message.empty() ? "" : " ", told_under);
 }
 
+// With an alarm in a later block, or without one.
 bool runs_on(const Verdict& said) {
-  return said.kind == VerdictKind::advice && said.departure == VerdictKind::fail_alarm_missing;
+  return said.kind == VerdictKind::advice && (said.departure == VerdictKind::fail_alarm_missing ||
+                                              said.departure == VerdictKind::fail_alarm_late);
 }
 
 // It comes behind the alarm, or in its block and at no alarm.
@@ -312,7 +314,7 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   if (rank(one) == 3) return one.verdict.kind < other.verdict.kind;
   if (rank(one) > 1) return false;
   if (one.progress != other.progress) return one.progress > other.progress;
-  // Where one alternative alarms and another has no fault, an alarm is told by the former.
+  // Where one alternative alarms and another has no fault, the former describes an alarm.
   const auto is_far_from = [](const SampledVerdict& said) {
     switch (said.verdict.kind) {
       case VerdictKind::fail_alarm_missing:

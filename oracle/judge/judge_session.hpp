@@ -45,8 +45,8 @@ struct SessionVerdict {
   std::vector<reference::ReadingKey> open;           // the open readings that made a difference
 };
 
-// One judge stands for all assignments until the reference puts out something else under one of
-// them; then that one has a judge of its own, until its first departure (J-READ-01).
+// One judge stands for all assignments until the reference differs under one of them; then that one
+// has a judge of its own, until its first departure (J-READ-01).
 class JudgeSession {
  public:
   // `profile` may say "any"; `profile`, `program` and `tolerances` must outlive the session.
@@ -55,8 +55,8 @@ class JudgeSession {
   ~JudgeSession();
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
-  // The same as a line of JSON, where that is the reference's own and nothing more has to be looked
-  // at: true when that was all. Else `record` has to be given. Its line number is known then.
+  // The same as a line of JSON. True: the reference writes its own record so, and nothing more has
+  // to be looked at. Else call `record`. Its line number is known then.
   bool line(std::string_view line);
   SessionVerdict finish(const RunEnd& end);
 
@@ -66,7 +66,7 @@ class JudgeSession {
 
   void log(const Record& record, bool undecided);
   Fork& add_fork(AssignmentSet set);
-  // The assignments that have parted from that fork get forks.
+  // Gives forks to the assignments that have parted from that fork.
   void part(Fork& fork);
   void settle_forks();
   void stop_forking();
@@ -74,14 +74,14 @@ class JudgeSession {
   void explain_best();
   void try_lengths(const Fork& fork);
   void try_length(const Fork& fork, reference::ReadingKey key, const Number& length);
-  // Whether it is the best so far. `unexplained`: whose departure it is, to be explained when it
-  // counts; null: it is explained.
+  // Whether the verdict is the best so far. `unexplained`: the fork whose departure is still to be
+  // explained, if it counts; null: it is explained.
   bool consider(SampledVerdict said, std::shared_ptr<Fork> unexplained = nullptr);
   // A motion that departs may be one too many of an earlier block, which this record shows.
   void look_for_surplus(const Record& record);
   void finish_forks(const RunEnd& end);
   void finish_sampled(const SampledOutcome& sampled, const RunEnd& end);
-  // Where every fork departs: whether readings that make no difference each make one together.
+  // Where every fork departs: tries readings together that make no difference one by one.
   void finish_together(const RunEnd& end);
 
   const reference::Profile& profile_;
@@ -112,14 +112,13 @@ class JudgeSession {
   bool too_many_ = false;
 };
 
-// Whether what is said under one assignment counts before what is said under another: the best
-// pass; else a gap, for under that assignment the subject may be right; else the departure that
-// comes last. An alarm that is missing or late counts behind another departure that comes equally
-// far.
+// Whether the verdict under one assignment counts before that under another: the best pass; else a
+// gap, for under that assignment the subject may be right; else the departure that comes last. An
+// alarm that is missing or late counts behind another departure that comes equally far.
 bool outranks(const SampledVerdict& one, const SampledVerdict& other);
 
-// R7: of departures, the one that counts in place of the best, which runs on over an alarm that no
-// text states: under its alternative the block is run. Null: there is none.
+// R7: the best departure runs on over an alarm that no text states. The departure that counts in
+// its place is that of the alternative under which the block runs. Null: there is none.
 const SampledVerdict* shown_way_to_run_on(const SampledVerdict& best,
                                           std::span<const SampledVerdict> departures);
 
@@ -132,9 +131,9 @@ SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramTex
                              const RunEnd& end);
 
 // In explaining_reading.cpp. For a NO-GO: "k=v" of the first other reading under which the outcome
-// is GO; else "". Every reading is tried that the program touches under any assignment; readings
-// that are open already have been. Gives up, with "", where it would judge more records than that
-// (each assignment counting for 1,000 more).
+// is GO; else "". Tries every reading that the program touches under any assignment, except the
+// open ones, which have been tried. Gives up, with "", where it would judge more than
+// `most_records` (each assignment counting for 1,000 more).
 std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
                                const Tolerances& tolerances, const RecordSeries& records,
                                const RunEnd& end, std::size_t most_records = kMostRecordsAgain);

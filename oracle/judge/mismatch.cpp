@@ -172,7 +172,9 @@ Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_
   verdict.want = step_text(step);
   verdict.witness = place_text(from.at);
   verdict.record = records;
-  verdict.message = "The trace ends before this motion.";
+  verdict.message =
+      fmt::format("{} comes before this {}.", got == "end" ? "The end of the trace" : "The alarm",
+                  dwell_of(step) != nullptr ? "dwell" : "motion");
   return verdict;
 }
 
@@ -331,6 +333,8 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
     verdict.message = "A later dwell comes here: what is due before it is missing, or comes later.";
   } else if (want == nullptr) {
     verdict.message = "The subject dwells where no dwell is due.";
+  } else if (verdict.kind != VerdictKind::fail_feed) {
+    verdict.message = "The dwell belongs to another block.";
   } else {
     verdict.message = reference::with_values("The dwell differs. It is {} s in place of {}.",
                                              {dwell.seconds, want->seconds});

@@ -9,15 +9,15 @@
 
 namespace gonogo::oracle {
 
-// The verdict on what was refuted, where it has one, or nothing can be said of its path; else it is
+// The verdict on what was refuted, if it has one or nothing can be said of its path. Nothing: it is
 // NO-GO, and `explain` says of which kind.
 std::optional<Verdict> known_verdict(const Refutation& refutation, const Tolerances& tolerances);
 // The verdict on a motion that departs from a curve. Looks ahead in the reference.
 Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Tolerances& tolerances);
 
-// J-CMP-12: of the motion that the subject has left unfinished. REQUIRES: a piece of it.
+// J-CMP-12: for the motion that the subject has left unfinished. REQUIRES: a piece of it.
 Verdict short_of(const Hypothesis& from, const Tolerances& tolerances);
-// How far a rotary axis is off, behind the message.
+// Adds to the message how far a rotary axis is off.
 void tell_degrees(Verdict& verdict, Axis rotary, const Position& got, const Position& want);
 // The trace ends, or alarms (`got`), where a step is due.
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,

@@ -14,8 +14,8 @@
 
 namespace gonogo::oracle {
 
-// Where a subject alarms: in a block, or, where it has no line numbers, between the items of the
-// reference (from 1) that it stands at and that it leaves undone.
+// Where a subject alarms: in a block; without line numbers, between the item of the reference (from
+// 1) at which it stands and the first that it leaves undone.
 struct AlarmPlace {
   std::uint64_t block = 0;  // 0: not known
   std::size_t at = 1;       // the item of the first step that is not done
@@ -24,8 +24,8 @@ struct AlarmPlace {
 };
 
 struct NoAlarmReason {
-  // The clause under which the program is right there: the rule that no text states, whose other
-  // answer the alarm is; else that of the first record of the block; else that a block can be read.
+  // The clause under which the program is right there: the rule that no text states, if the alarm
+  // is its other answer; else that of the block's first record; else that a block can be read.
   reference::ClauseId clause = reference::kNoClause;
   // R7: how the alarm relates to such a rule.
   enum class Answer { none, other, late } answer = Answer::none;

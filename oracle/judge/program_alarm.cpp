@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "oracle/judge/advice.hpp"
 #include "oracle/judge/changed_program.hpp"
@@ -13,8 +16,10 @@
 #include "oracle/judge/program_ending.hpp"
 #include "oracle/judge/unreadable_block.hpp"
 #include "oracle/motion/round_curve.hpp"
+#include "oracle/records/text.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/steps/step_text.hpp"
+#include "reference/nearest_word.hpp"
 #include "reference/silent_end.hpp"
 
 namespace gonogo::oracle {
@@ -95,11 +100,35 @@ Verdict ProgramJudge::spurious_alarm(const Alarming& alarming, std::string messa
   return verdict;
 }
 
+namespace {
+
+// " There is no alarm class \"feed-mising\". Did you mean feed-missing?"; empty: the gauge knows
+// all of those that the alarm names.
+std::string no_such_class(std::string_view classes) {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < reference::kAlarmClasses; ++i) {
+    known.emplace_back(name(static_cast<reference::AlarmClass>(i)));
+  }
+  for (std::size_t begin = 0; begin < classes.size();) {
+    const std::size_t end = std::min(classes.find(' ', begin), classes.size());
+    const std::string one(classes.substr(begin, end - begin));
+    begin = end + 1;
+    if (one.empty() || reference::alarm_class(one)) continue;
+    const std::string near = reference::nearest_word(one, known);
+    return fmt::format(" There is no alarm class \"{}\".{}", visible(one),
+                       near.empty() ? "" : fmt::format(" Did you mean {}?", near));
+  }
+  return {};
+}
+
+}  // namespace
+
 // An alarm of a class that the block does not admit. Another answer: to a rule by which the block
 // runs on without its faults (R7), or which unstated one it answers (R7).
 Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& report) const {
-  const auto message = [](const reference::Alarm& alarm) {
-    return fmt::format("The alarm is of another class. {}", alarm.message);
+  const auto message = [&](const reference::Alarm& alarm) {
+    return fmt::format("The alarm is of another class. {}{}", alarm.message,
+                       no_such_class(alarming.alarm.alarm_class));
   };
   Verdict verdict =
       alarm_verdict(VerdictKind::fail_alarm_class, report, message(best_supported(report)));
@@ -122,6 +151,13 @@ Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& r
   return advised(std::move(verdict), tolerances_);
 }
 
+// R3, as of a record.
+std::optional<Verdict> ProgramJudge::alarm_without_line(const SubjectAlarm& alarm) const {
+  if (!tolerances_.compare_blocks || alarm.block != 0) return std::nullopt;
+  return alarm_verdict(VerdictKind::protocol, alarm,
+                       "The subject declares the feature `blocks`, but its alarm has no `b`.");
+}
+
 // R6. Nothing where the subject's alarm is one that the reference's admits.
 std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from, const Alarming& alarming,
                                                    const AlarmReport& report) const {
@@ -131,28 +167,27 @@ std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from, const
     result.got = alarm_text(alarm);
     return result;
   };
-  const bool may_be_later =
-      tolerances_.compare_blocks ? alarm.block > report.block : from.after_alarm.has_value();
-  if (may_be_later && !tolerances_.strict && reference::is_silent(best_supported(report).clause) &&
-      alarms_without(profile_, program_, report, alarm)) {
-    return ran_on(verdict(VerdictKind::fail_alarm_missing, "The alarm is missing."), tolerances_);
-  }
-  if (from.after_alarm) {
-    const bool moves = is_motion(from.after_alarm->record.kind);
-    Verdict late = alarm_verdict(VerdictKind::fail_alarm_late, report,
-                                 fmt::format("A {} was put out in or after the block that alarms.",
-                                             moves ? "motion" : "dwell"));
-    late.record = from.after_alarm->number;
-    late.got = record_text(from.after_alarm->record);
-    return late;
-  }
-  if (tolerances_.compare_blocks && alarm.block != report.block) {
-    if (alarm.block < report.block) {
-      Verdict early = spurious_alarm(alarming, "The alarm comes in a block before the right one.");
-      early.want = alarms_text(report);
-      return early;
+  const bool is_later = tolerances_.compare_blocks && alarm.block > report.block;
+  if (from.after_alarm || is_later) {
+    Verdict late =
+        verdict(VerdictKind::fail_alarm_late, "The alarm comes in a block after the right one.");
+    if (from.after_alarm) {
+      const bool moves = is_motion(from.after_alarm->record.kind);
+      late.message = fmt::format("A {} was put out in or after the block that alarms.",
+                                 moves ? "motion" : "dwell");
+      late.record = from.after_alarm->number;
+      late.got = record_text(from.after_alarm->record);
     }
-    return verdict(VerdictKind::fail_alarm_late, "The alarm comes in a block after the right one.");
+    const bool runs_on = (is_later || !tolerances_.compare_blocks) && !tolerances_.strict &&
+                         reference::is_silent(best_supported(report).clause) &&
+                         alarms_without(profile_, program_, report, alarm);
+    return runs_on ? ran_on(std::move(late), tolerances_) : late;
+  }
+  if (auto lacking = alarm_without_line(alarm)) return lacking;
+  if (tolerances_.compare_blocks && alarm.block < report.block) {
+    Verdict early = spurious_alarm(alarming, "The alarm comes in a block before the right one.");
+    early.want = alarms_text(report);
+    return early;
   }
   if (alarm.alarm_class.empty()) {
     return verdict(
@@ -185,10 +220,11 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& al
   const auto& unfinished = alarming.unfinished;
   const ReferenceSteps::Step& here = reference_.at(from.step);
   const auto* report = std::get_if<AlarmReport>(&here.what);
-  std::optional<Verdict> departure =
-      report != nullptr
-          ? compare_alarm(from, alarming, *report)
-          : spurious_alarm(alarming, "The subject alarms, and the program has no fault.");
+  std::optional<Verdict> departure = report != nullptr ? compare_alarm(from, alarming, *report)
+                                                       : alarm_without_line(alarming.alarm);
+  if (report == nullptr && !departure) {
+    departure = spurious_alarm(alarming, "The subject alarms, and the program has no fault.");
+  }
   if (report == nullptr && unfinished && tolerances_.compare_blocks &&
       departure->kind == VerdictKind::fail_alarm_spurious) {
     const auto behind = own_alarm();
@@ -223,7 +259,7 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& al
 }
 
 bool ProgramJudge::is_left_at_alarm(Hypothesis& from) {
-  OpenStep* open = alignment_.open_step_of(from);
+  FreeStep* open = alignment_.free_step_of(from);
   if (open == nullptr) return false;
   return !open->is_judged_when_left() || open->is_judged_at_alarm(from.at);
 }
@@ -231,6 +267,7 @@ bool ProgramJudge::is_left_at_alarm(Hypothesis& from) {
 // R7: an alarm behind an end that no text states, which is no answer to where it stands.
 bool ProgramJudge::is_alarm_behind_end(Hypothesis& from, const Alarming& alarming) {
   if (!is_silent_end(reference_.at(from.step).what) || alarming.unfinished) return false;
+  if (alarm_without_line(alarming.alarm)) return false;
   Verdict verdict = spurious_alarm(alarming, "The subject goes on behind the end of the program.");
   if (verdict.kind == VerdictKind::advice) return false;
   verdict.clause = clause_of(reference_.at(from.step).what);
@@ -246,7 +283,7 @@ bool ProgramJudge::is_behind_alarm(const Alarming& alarming, const ReferenceStep
   return block_of(alarming.unfinished->step.what) >= alarmed && block != 0 && block != alarmed;
 }
 
-// The program's own alarm, which is told of a subject's that comes before it.
+// The program's own alarm, which the message names where a subject's alarm comes before it.
 std::optional<AlarmReport> ProgramJudge::own_alarm() const try {
   const auto as_it_is = [](const grammar::Line& line) { return std::optional(line.text); };
   return alarm_of(profile_, program_, as_it_is, kMostItems);

@@ -104,9 +104,9 @@ void ProgramJudge::settle(Ending ending) {
   decide(std::move(ending.verdict));
 }
 
-// R6. Those of earlier blocks, and those of a cycle, must have come as motion must; of those that
-// the block that alarms names no text says whether they do, each as often as it is named. A control
-// that checks at load need not pass any.
+// R6. Those of earlier blocks, and those of a cycle, must have come as motion must. No text says
+// whether those come that the alarming block names, each as often as it is named. A control that
+// checks at load need not pass any.
 std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& ending) const {
   using MFunctions = Ending::MFunctions;
   if (ending.judges == MFunctions::none) return std::nullopt;
@@ -126,7 +126,10 @@ std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& endi
   for (const DueMFunction& due : reference_.waiting(ending.m_functions)) {
     const bool is_due = before_alarm ? due.record.block != ending.block || named(due.record) == 0
                                      : due.record.block < ending.block;
-    if (is_due) return m_function_missing(due.record, {}, records_);
+    if (!is_due) continue;
+    Verdict missing = m_function_missing(due.record, {}, records_);
+    if (before_alarm) missing.message = "The alarm comes before this M function.";
+    return missing;
   }
   return std::nullopt;
 }

@@ -15,8 +15,8 @@ namespace gonogo::oracle {
 struct ProgramJudge::Ending {
   Hypothesis from;
   std::optional<Verdict> verdict = {};  // nothing: GO
-  // What of the M functions goes before it, of so many that are due by then: all but those of the
-  // block that alarms; but those behind it, too, which are not judged (R7).
+  // Which M functions are judged first, of the first `m_functions` due: before an alarm all but
+  // those that its block names; where the subject runs on (R7), those of earlier blocks.
   enum class MFunctions { none, before_alarm, of_earlier } judges = MFunctions::none;
   std::size_t m_functions = 0;
   std::uint64_t block = 0;  // that alarms

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "oracle/judge/mismatch.hpp"
@@ -11,6 +12,15 @@
 #include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
+namespace {
+
+// How far a place is from the centre of an arc, an estimate.
+double radius_at(const Record& arc, const Position& at) {
+  const PlaneVector spoke = from_centre(arc, at);
+  return std::hypot(estimate(spoke.p), estimate(spoke.q));
+}
+
+}  // namespace
 
 ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText& program,
                            const Tolerances& tolerances, const AssignmentSet* watched,
@@ -20,7 +30,8 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
       program_(program),
       reference_(profile_, program_, tolerances_, watched, forking),
       alignment_(reference_, profile_.initial.at, tolerances_, memory_),
-      budget_(profile_, program) {}
+      budget_(profile_, program),
+      step_progress_(tolerances_.tolerance) {}
 
 void ProgramJudge::decide(Verdict verdict) {
   if (!verdict_) verdict_ = std::move(verdict);
@@ -140,32 +151,35 @@ void ProgramJudge::take_record(const Record& record) {
   }
   switch (record.kind) {
     case RecordKind::m:
-      if (tolerances_.compare_m) take_m_function(record);
+      if (tolerances_.compare_m && has_line(record)) take_m_function(record);
       return;
     case RecordKind::dwell:
-      if (record.seconds.sign() != 0) take_dwell(record);
+      if (record.seconds.sign() != 0 && has_line(record)) take_dwell(record);
       return;
     case RecordKind::end:
       end_record_ = record;
       return;
     default:
-      return take_motion(record);
+      if (has_line(record)) take_motion(record);
   }
 }
 
+// R3.
+bool ProgramJudge::has_line(const Record& record) {
+  if (!tolerances_.compare_blocks || record.block != 0) return true;
+  Verdict verdict;
+  verdict.kind = VerdictKind::protocol;
+  verdict.record = records_ - 1;
+  verdict.got = record_text(record);
+  verdict.message = "The subject declares the feature `blocks`, but this record has no `b`.";
+  decide(std::move(verdict));
+  return false;
+}
+
 void ProgramJudge::take_motion(const Record& record) {
-  // R3.
-  if (tolerances_.compare_blocks && record.block == 0) {
-    Verdict verdict;
-    verdict.kind = VerdictKind::protocol;
-    verdict.record = records_ - 1;
-    verdict.got = record_text(record);
-    verdict.message = "The subject declares the feature `blocks`, but this record has no `b`.";
-    return decide(std::move(verdict));
-  }
   if (budget_.runs_low(records_, reference_.items_and_passes())) {
-    const Position& at = alignment_.hypotheses().front().at;
-    if (makes_progress(motion_from(at, record, records_ - 1))) budget_.forgive();
+    ++idle_;
+    if (makes_progress()) budget_.forgive(std::exchange(idle_, 0));
   }
   has_acted_ = true;
   if (!alignment_.take_motion(record, records_ - 1)) return decide_departure();
@@ -201,23 +215,29 @@ void ProgramJudge::take_dwell(const Record& record) {
   forget_passed();
 }
 
-// J-CYC-02: a straight piece that comes nearer to the end of the reference's motion; of an arc or
-// an open path a place where the tool has not been.
-bool ProgramJudge::makes_progress(const Motion& motion) {
-  const ReferenceSteps::Step& step = reference_.at(alignment_.hypotheses().front().step);
-  const RecordKind kind = motion.record.kind;
-  const bool is_straight =
-      kind == RecordKind::feed || kind == RecordKind::rapid || kind == RecordKind::thread;
-  if (const auto* want = std::get_if<Motion>(&step.what)) {
-    if (!is_round(want->record.kind)) {
-      return is_straight && comes_nearer(motion, want->to(), tolerances_.tolerance);
+// J-CYC-02: whether the records so far came nearer to the end of the reference's straight motion,
+// farther round its arc, or to a place where the tool has not been on an arc or a free step. By the
+// way that is least far, for it never goes back to a step before.
+bool ProgramJudge::makes_progress() {
+  const Hypothesis& last =
+      *std::ranges::min_element(alignment_.hypotheses(), {}, &Hypothesis::step);
+  const ReferenceSteps::Step& step = reference_.at(last.step);
+  step_progress_.enter(step.item);
+  if (const auto* alone = std::get_if<Motion>(&step.what)) {
+    const Motion& want = last.curve ? last.curve->motion() : *alone;
+    if (!is_round(want.record.kind)) {
+      return step_progress_.comes_nearer(last.at, want.to(), last.joined);
+    }
+    if (want.record.kind == RecordKind::arc) {
+      const double radius = radius_at(want.record, last.at);
+      if (step_progress_.goes_round(last.progress.arc, radius)) return true;
     }
   } else if (const auto* level = std::get_if<reference::PocketLevel>(&step.what)) {
-    if (!ends_in_pocket(motion, *level)) return false;
-  } else if (!is_open_step(step.what)) {
+    if (!is_in_pocket(last.at, *level)) return false;
+  } else if (!is_free_step(step.what)) {
     return false;
   }
-  return visited_.is_new(step.item, motion.to(), tolerances_.tolerance);
+  return step_progress_.is_new_place(last.at);
 }
 
 }  // namespace gonogo::oracle

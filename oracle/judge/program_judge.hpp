@@ -12,7 +12,7 @@
 #include "oracle/judge/surplus.hpp"
 #include "oracle/motion/plain_motion.hpp"
 #include "oracle/motion/progress.hpp"
-#include "oracle/open/open_step_memory.hpp"
+#include "oracle/open/free_step_memory.hpp"
 #include "oracle/records/verdict.hpp"
 #include "oracle/steps/program_input.hpp"
 #include "oracle/steps/record_budget.hpp"
@@ -21,20 +21,20 @@ namespace gonogo::oracle {
 
 class ProgramJudge {
  public:
-  // `watched`: the assignments that the readings of `profile` are taken from; null: they are all
-  // that counts. Everything must outlive the judge.
+  // `watched`: the assignments from which the readings of `profile` are taken; null: only these
+  // readings count. Everything must outlive the judge.
   ProgramJudge(const reference::Profile& profile, const ProgramText& program,
                const Tolerances& tolerances, const AssignmentSet* watched = nullptr,
                Forking forking = Forking::when_different);
   ProgramJudge(const ProgramJudge&) = delete;
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
-  // Its next record as a line of JSON, where that is how the reference writes its own and nothing
-  // more has to be looked at: true when that was all. Else call `record`.
+  // The next record as a line of JSON. True: the reference writes its own record so, and nothing
+  // more has to be looked at. Else call `record`.
   bool line(std::string_view line);
   // The subject's end; the verdict.
   Verdict finish(const RunEnd& end);
-  // Of one that is decided: the verdict, but a departure from a curve is not explained yet.
+  // The verdict, once it is decided; a departure from a curve is not explained yet.
   const Verdict& decided() const { return *verdict_; }
 
   // How far the comparison came, in items of the reference.
@@ -43,12 +43,12 @@ class ProgramJudge {
   bool is_decided() const { return verdict_.has_value() && !other_order_.shows; }
   // Where it has departed by a motion that may be one too many of an earlier block.
   const std::optional<Surplus>& surplus() const { return surplus_; }
-  // What its reference has asked for so far.
+  // The readings that its reference has asked for so far.
   const reference::ReadingsInUse& readings() const { return reference_.readings(); }
   // The alternatives that say something else than its reference so far.
   WatchedReference& watched() { return reference_.watched(); }
-  // Whether the record, or the line, that it got last is item number `progress` of the
-  // reference, which would say so of any subject.
+  // Whether the record or line that came last is item number `progress` of the reference, as it
+  // would be for any subject.
   bool is_in_step() const { return in_step_ && !reference_.was_moved(); }
 
  private:
@@ -66,15 +66,17 @@ class ProgramJudge {
   void explain_departure();
   std::string wanted_at(std::size_t number) const;
   void name_line(Verdict& verdict, std::size_t number) const;
-  // J-CMP-12: what departs may be out of order, which what follows shows.
+  // J-CMP-12: whether a later record shows that what departs is out of order.
   void look_for_order(const Record& record);
 
   void take_record(const Record& record);
+  // Whether it has a line, where the subject declares lines; else that is the verdict.
+  bool has_line(const Record& record);
   void take_motion(const Record& record);
   void take_m_function(const Record& record);
   void take_dwell(const Record& record);
-  bool makes_progress(const Motion& motion);
-  // The steps that nothing looks back at.
+  bool makes_progress();
+  // Drops the steps that nothing looks back at.
   void forget_passed();
 
   // While the records of both sides are the same, in equal_steps.cpp. True when that was all.
@@ -96,6 +98,7 @@ class ProgramJudge {
   std::optional<Ending> excused_at(Hypothesis from, const Alarming& alarming);
   std::optional<Verdict> compare_alarm(const Hypothesis& from, const Alarming& alarming,
                                        const reference::AlarmReport& report) const;
+  std::optional<Verdict> alarm_without_line(const SubjectAlarm& alarm) const;
   Verdict other_class(const Alarming& alarming, const reference::AlarmReport& report) const;
   Verdict spurious_alarm(const Alarming& alarming, std::string message) const;
   NoAlarmReason why_no_alarm(const Alarming& alarming) const;
@@ -113,10 +116,11 @@ class ProgramJudge {
   const Tolerances& tolerances_;
   ProgramText program_;
   ReferenceSteps reference_;
-  OpenStepMemory memory_;
+  FreeStepMemory memory_;
   Alignment alignment_;
   RecordBudget budget_;
-  VisitedPlaces visited_;
+  StepProgress step_progress_;
+  std::size_t idle_ = 0;    // records that were looked at since the last progress
   bool has_acted_ = false;  // the subject has put out an event that is compared
   std::size_t records_ = 0;
 

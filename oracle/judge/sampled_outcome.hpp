@@ -13,14 +13,14 @@
 
 namespace gonogo::oracle {
 
-// With this the notes of such a run begin: no trace of records stands in the results, and the file
-// that it names is needed to judge again.
+// The notes of such a run begin with this: the results have no trace of records, and the file that
+// the notes name is needed to judge again.
 inline constexpr std::string_view kSampledNote = "Sampled axis positions: ";
 
 struct SampledVerdict {
   Verdict verdict;
   std::size_t progress = 0;  // how many motions of the reference were followed
-  // The open readings under which it is said, where `expand` shows others: "k=v, k=v".
+  // The open readings of this verdict, where `expand` shows others: "k=v, k=v".
   std::string told_under = {};
 };
 

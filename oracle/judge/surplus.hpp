@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which block made the motion that departs: one too many is of the block before the one whose
-// motions are due.
+// Which block made the motion that departs: a motion too many belongs to the block before the one
+// whose motions are due.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Surplus {
 };
 
 // Nothing where the motion may be a wrong one of the block that is due: it leads towards the end of
-// the one that is due, or goes on from a piece of it.
+// the due motion, or goes on from a piece of it.
 std::optional<Surplus> surplus_of(const Refutation& refutation, const ReferenceSteps& steps,
                                   const Tolerances& tolerances);
 

@@ -23,8 +23,8 @@ std::array<TimePart, 4> parts_of(const CycleTime& time);
 // rounded to three decimals, and marked so.
 std::string amount_text(const TimePart& part);
 
-// What is said of the part that has this place: a sentence with a blank before it where `got` is
-// off by a factor between units; empty: it is not.
+// What is said of part number `part`: a sentence with a blank before it where `got` is off by a
+// factor between units; empty: it is not.
 std::string time_hint(std::size_t part, const Number& want, const Number& got);
 
 }  // namespace gonogo::oracle

@@ -18,7 +18,7 @@ enum class Quantity : std::uint8_t { feed, rotary_feed, lead, dwell, time };
 
 // A sentence with a blank before it where `got` is `want` times a factor between units, to
 // `tolerance` in got (below a hundredth of it); empty: it is not.
-// REQUIRES: want >= 0, got >= 0. What cannot be decided is not.
+// REQUIRES: want >= 0, got >= 0. What cannot be decided counts as no unit error.
 std::string unit_error(Quantity quantity, const Number& want, const Number& got,
                        const Number& tolerance);
 

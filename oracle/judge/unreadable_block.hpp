@@ -12,8 +12,8 @@
 namespace gonogo::oracle {
 
 // Whether the words of the block that stand before its syntax fault have an alarm of that class,
-// which no word behind them could take away. Runs the reference anew, some times at most. False for
-// a report without a syntax fault.
+// which no word behind them could take away. Runs the reference again, a few times at most. False
+// for a report without a syntax fault.
 bool has_alarm_before_fault(const reference::Profile& profile, const ProgramText& program,
                             const reference::AlarmReport& report, std::string_view alarm_class);
 

@@ -105,19 +105,66 @@ bool comes_nearer(const Motion& motion, const Position& due, const Number& toler
   return nearer;
 }
 
-bool ends_in_pocket(const Motion& motion, const reference::PocketLevel& level) {
+bool is_in_pocket(const Position& at, const reference::PocketLevel& level) {
   const reference::PlaneAxes axes = reference::axes_of(level.plane);
-  return exact::abs(motion.to()[axes.p] - level.centre[0]) <= level.pocket_radius &&
-         exact::abs(motion.to()[axes.q] - level.centre[1]) <= level.pocket_radius;
+  return exact::abs(at[axes.p] - level.centre[0]) <= level.pocket_radius &&
+         exact::abs(at[axes.q] - level.centre[1]) <= level.pocket_radius;
 }
 
-bool VisitedPlaces::is_new(std::size_t step, const Position& at, const Number& tolerance) {
-  if (step != step_) {
-    step_ = step;
-    places_.clear();
+// Without a tolerance a way can be cut into pieces without end.
+StepProgress::StepProgress(const Number& tolerance)
+    : width_(std::max(estimate(tolerance), kShort)) {}
+
+void StepProgress::enter(std::size_t step) {
+  if (step == step_) return;
+  step_ = step;
+  joined_ = 0;
+  nearest_.reset();
+  turns_ = 0;
+  places_.clear();
+}
+
+StepProgress::Coordinates StepProgress::estimates(const Position& at) {
+  Coordinates coordinates = {};
+  for (const Axis axis : reference::kAllAxes) {
+    coordinates[reference::index(axis)] = estimate(at[axis]);
   }
+  return coordinates;
+}
+
+bool StepProgress::comes_nearer(const Position& at, const Position& due, std::size_t joined) {
+  const bool is_another_way = !nearest_ || joined > joined_;
+  if (is_another_way) due_ = estimates(due);
+  Coordinates distance = estimates(at);
+  for (std::size_t i = 0; i < distance.size(); ++i) distance[i] = std::abs(due_[i] - distance[i]);
+  if (is_another_way) {
+    joined_ = joined;
+    nearest_ = distance;
+    return false;
+  }
+  bool is_nearer = false;
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    if (distance[i] > (*nearest_)[i] + width_) return false;
+    is_nearer = is_nearer || distance[i] + width_ < (*nearest_)[i];
+  }
+  if (!is_nearer) return false;
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    if (distance[i] + width_ < (*nearest_)[i]) (*nearest_)[i] = distance[i];
+  }
+  return true;
+}
+
+bool StepProgress::goes_round(double turns, double radius) {
+  const double way = (turns - turns_) * 2 * std::numbers::pi * radius;
+  if (!std::isfinite(way) || way <= kNoDirection * width_) return false;
+  turns_ = turns;
+  return true;
+}
+
+bool StepProgress::is_new_place(const Position& at) {
   if (places_.size() >= kMostPlaces) return false;
-  return places_.insert(PlaceHash(kNoDirection * estimate(tolerance)).add(at).key()).second;
+  const bool is_first = places_.empty();  // where the step is entered
+  return places_.insert(PlaceHash(kNoDirection * width_).add(at).key()).second && !is_first;
 }
 
 Number ring_width(const Number& step, const Number& tolerance) {

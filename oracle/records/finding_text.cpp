@@ -279,7 +279,7 @@ std::vector<FindingPart> finding_parts(const FindingFacts& facts) {
       {Form::sentence, "", want_and_got(facts.want, facts.got)},
       {Form::sentence, "", facts.message},
       {Form::fact, "known", facts.known},
-      {Form::fact, "would be", facts.departure},
+      {Form::fact, facts.known.empty() ? "would be" : "fails with", facts.departure},
       {Form::fact, "rule", rule_text(facts.rule)},
       {Form::fact, "gap", facts.gap},
       {Form::fact, "clause", clause_with_sentence(facts.clause)},

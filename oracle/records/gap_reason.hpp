@@ -15,7 +15,7 @@ enum class GapReason : std::uint8_t {
   none,           // it is no gap
   not_covered,    // a code or construct that the gauge does not read
   profile_lacks,  // something of the machine that the profile does not say
-  comparison,     // two numbers, or a place and a limit, that are not told apart (R9)
+  comparison,     // two numbers, or a place and a limit, cannot be distinguished (R9)
   rounding,       // points whose rounding decides what they make
   two_readings,   // one trace may be read in two ways, and they lead to different verdicts
   reading_unfit,  // under the reading the text's own path is none that it allows

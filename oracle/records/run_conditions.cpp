@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
+#include "oracle/records/case_head.hpp"
 #include "oracle/records/run_scope.hpp"
 #include "oracle/records/text.hpp"
 #include "reference/descriptor.hpp"
@@ -99,7 +101,32 @@ std::string cycles_with_m_functions(const Json& header) {
   return text.empty() ? text : fmt::format(" ({} pass some on themselves)", text);
 }
 
+std::set<std::string> texts_in(const Json& list) {
+  std::set<std::string> texts;
+  if (!list.is_array()) return texts;
+  for (const Json& one : list) {
+    if (one.is_string()) texts.insert(one.get<std::string>());
+  }
+  return texts;
+}
+
 }  // namespace
+
+std::optional<SubjectInfo> declared_in(const Json& header) {
+  const Json subject = header.is_object() ? header.value("subject", Json()) : Json();
+  if (!subject.is_object()) return std::nullopt;
+  const bool must_say = header.value("format", Json(0)) == kResultsFormat;
+  if (!must_say && !subject.contains("dialects")) return std::nullopt;
+  SubjectInfo info;
+  info.features = texts_in(subject.value("features", Json()));
+  const Json dialects = subject.value("dialects", Json());
+  info.everything = !dialects.is_object();
+  if (info.everything) return info;
+  for (const auto& [dialect, features] : dialects.items()) {
+    info.dialects[dialect] = texts_in(features);
+  }
+  return info;
+}
 
 // J-RUN-01.
 RunConditions conditions_of(const Json& header, const Json& footer) {

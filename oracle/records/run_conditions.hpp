@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "oracle/records/fresh_counts.hpp"
+#include "oracle/records/subject_outcome.hpp"
 
 namespace gonogo::oracle {
 
@@ -37,5 +38,9 @@ struct RunConditions {
 // For the header of a results file, and its footer where there is one.
 RunConditions conditions_of(const nlohmann::ordered_json& header,
                             const nlohmann::ordered_json& footer = {});
+
+// The dialects and features that the subject declares, as the header of a results file has them.
+// Nothing: a header of format 1 may not say.
+std::optional<SubjectInfo> declared_in(const nlohmann::ordered_json& header);
 
 }  // namespace gonogo::oracle

@@ -118,6 +118,17 @@ void RunScope::count_features(const CaseHead& line, VerdictKind kind) {
   if (is_nameless) count_in(nameless_[line.dialect], true);
 }
 
+// Whether the feature that a skip names is one that the case needs and the subject's declaration
+// leaves out. A subject may give any name to a reason of its own (J-RUN-14).
+bool RunScope::is_undeclared(const CaseHead& line) const {
+  const std::string& feature = line.feature;
+  if (feature.empty()) return false;
+  const bool is_needed = line.features.empty() || std::ranges::count(line.features, feature) > 0;
+  if (!is_needed || !subject_) return is_needed;
+  return is_of_every_subject(feature) ? !subject_->features.contains(feature)
+                                      : !subject_->declares(line.dialect, feature);
+}
+
 // What ended in neither GO nor NO-GO was not judged (J-RUN-14).
 void RunScope::add(const CaseHead& line, VerdictKind kind) {
   dialects_.insert(line.dialect);
@@ -133,10 +144,10 @@ void RunScope::add(const CaseHead& line, VerdictKind kind) {
   if (kind == VerdictKind::skip) {
     tally(&Counts::skipped);
     // One that the gauge did not even ask for, or a reason of the subject's own.
-    const bool lacks = !line.feature.empty() &&
-                       (line.features.empty() ||
-                        std::ranges::find(line.features, line.feature) != line.features.end());
-    const Skipped key{line.dialect, lacks ? line.feature : "", lacks ? "" : line.message};
+    const bool lacks = is_undeclared(line);
+    const bool is_mute = line.message.empty() && !line.feature.empty();
+    const std::string reason = is_mute ? "It skips " + line.feature + "." : line.message;
+    const Skipped key{line.dialect, lacks ? line.feature : "", lacks ? "" : reason};
     count(group_of(not_claimed_, key, Skipped{line.dialect, "", kOtherReasons}), line.id);
     if (lacks) return;
   } else if (decision(kind) == Decision::undecided) {

@@ -9,13 +9,16 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "oracle/records/case_head.hpp"
+#include "oracle/records/subject_outcome.hpp"
 #include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle {
@@ -82,6 +85,11 @@ class RunScope {
   };
   using Cycles = std::map<std::string, Counts, NaturalOrder>;
 
+  RunScope() = default;
+  // `subject`: what it declares of dialects and features. Nothing: it is not known, and a skip is
+  // taken at its word where it names a feature of its case.
+  explicit RunScope(std::optional<SubjectInfo> subject) : subject_(std::move(subject)) {}
+
   // `kind`: in the run, which may be another than the line's own.
   void add(const CaseHead& line, VerdictKind kind);
 
@@ -116,6 +124,7 @@ class RunScope {
   const std::map<Advice, Group>& advices() const { return advices_; }
 
  private:
+  bool is_undeclared(const CaseHead& line) const;
   void count_features(const CaseHead& line, VerdictKind kind);
   enum class Fold : std::uint8_t { first, number };  // of too many names
   std::string go_features(std::size_t most, Fold fold) const;
@@ -125,6 +134,7 @@ class RunScope {
   std::string counts() const;
   std::string skips(std::size_t most) const;
 
+  std::optional<SubjectInfo> subject_;
   Counts all_;
   std::set<std::string> dialects_;
   std::map<std::string, Features> features_;

@@ -183,7 +183,7 @@ void Correspondence::close_at_end(const Place& place, const Record& end) {
 
 namespace {
 
-// R7: of an alarm of the block no text says which class it is of, and this is another one for it.
+// R7: no text says the class of an alarm of the block, and this is another class for it.
 bool is_other_name(const AlarmReport& report, std::string_view alarm_class) {
   return std::ranges::any_of(report.alarms, [&](const reference::Alarm& alarm) {
     return reference::is_silent(alarm.clause) &&
@@ -193,8 +193,8 @@ bool is_other_name(const AlarmReport& report, std::string_view alarm_class) {
 
 }  // namespace
 
-// R6: whether an M function of the block that alarms comes, no text says; beside those that are due
-// it comes as often as it is named at most.
+// R6: no text says whether an M function of the alarming block comes; besides those that are due it
+// comes at most as often as it is named.
 bool Correspondence::is_of_alarm(const Place& place, const AlarmReport& report) {
   ReferenceSide& sides = reference(place);
   const Record& got = subject(place).at(place.j).source();
@@ -315,10 +315,13 @@ OtherAlarm other_alarm(const AlarmReport* due, const oracle::SubjectAlarm* got, 
   if (compares_lines && got->block > due->block) {
     return {VerdictKind::fail_alarm_late, "The alarm comes in a line behind the due one."};
   }
+  if (got->alarm_class.empty()) {
+    return {VerdictKind::unmapped_alarm, "The alarm has no class; the alarm map must give one."};
+  }
   return {VerdictKind::fail_alarm_class, "The alarm is of another class."};
 }
 
-// R3: whether both sides dwell there, in one block: then it is their times that differ.
+// R3: whether both sides dwell there, in one block: then only their times differ.
 bool is_dwell_of(const Event& want, const Event& got, const Tolerances& tolerances) {
   if (want.part != Part::stop || got.part != Part::stop) return false;
   const Record& due = want.source();

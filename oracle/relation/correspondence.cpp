@@ -51,6 +51,32 @@ Intervals common(const Intervals& parts, const std::optional<Part01>& near) {
   return left;
 }
 
+// Without a comparison of numbers that may have no end.
+bool are_one(const Number& a, const Number& b) {
+  return a.is_rational() && b.is_rational() && a == b;
+}
+bool are_one(const Position& a, const Position& b) {
+  return std::ranges::all_of(kAllAxes, [&](Axis axis) { return are_one(a[axis], b[axis]); });
+}
+
+// Whether the curves are one by their numbers, and the pieces one and the same of it: then nothing
+// lies between the sides, however far the curve may lie from its piece.
+bool is_one_piece(const Event& want, const Event& got) {
+  if (got.width.sign() == 0 || want.piece != got.piece) return false;
+  const auto* const due = std::get_if<Record>(&*want.item);
+  const Record& arc = got.source();
+  if (due == nullptr || due->kind != arc.kind || !are_one(want.start, got.start)) return false;
+  if (!are_one(end_of(*due, want.start), end_of(arc, got.start))) return false;
+  if (arc.kind != RecordKind::arc) {
+    const auto is_one_via = [&](Axis axis) {
+      return !arc.via_axes.has(axis) || are_one(due->via[axis], arc.via[axis]);
+    };
+    return arc.via_axes == due->via_axes && std::ranges::all_of(kAllAxes, is_one_via);
+  }
+  return due->plane == arc.plane && due->rot == arc.rot && are_one(due->centre[0], arc.centre[0]) &&
+         are_one(due->centre[1], arc.centre[1]);
+}
+
 }  // namespace
 
 Correspondence::Correspondence(const reference::Profile& profile, std::string_view program,
@@ -87,8 +113,8 @@ Number Correspondence::tolerance(const Number& tau, const Number& width) {
                                      : ((tau - width) * kMillion).floor() / kMillion;
 }
 
-// R2: of two arcs 17/8 tau, which is what rounding centre, start and end makes of the points
-// between; of a granted chord what is granted.
+// R2: for two arcs 17/8 tau, by which rounding of centre, start and end may move the points
+// between; for a granted chord what is granted.
 Number Correspondence::cell_tolerance(const Place& place) {
   const Event& want = reference(place).at(place.i);
   const Event& got = subject(place).at(place.j);
@@ -189,6 +215,11 @@ void Correspondence::match_cuts(const Place& place, const Reached& reached) {
   const Event& got = subject(place).at(place.j);
   if (compare(*want.label, *got.label, tolerances_) != Likeness::same) return;
   if (!may_be_turned(want, got)) return;
+  const bool is_corner = begins(reached.at_start_of_want) || begins(reached.at_start_of_got);
+  const bool is_turned = std::ranges::count(manner_.turned, got.record) > 0;
+  if (is_corner && !is_turned && is_one_piece(want, got)) {
+    reach_corner({place.pair, place.i + 1, place.j + 1, place.m});
+  }
   const Number tau = cell_tolerance(place);
   const auto left = lowest(reached.at_start_of_want, near_part(got, want.from, tau));
   auto below = lowest(reached.at_start_of_got, near_part(want, got.from, tau));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// R1: every order-preserving correspondence between the two sides, as what can be reached: a place
-// of the reference (an event, and how far along it) beside a place of the subject. Two lines near
-// each other are so on a convex part of the square of their parameters, so that what is reached of
-// a side of the square is an interval with exact ends.
+// R1: every order-preserving correspondence between the two sides, as the set of pairs that can be
+// reached: a place of the reference (an event, and how far along it) beside a place of the subject.
+// Two lines are near each other on a convex part of the square of their parameters, so that the
+// reachable part of a side of the square is an interval with exact ends.
 #pragma once
 
 #include <map>
@@ -15,14 +15,14 @@
 
 namespace gonogo::relation {
 
-// Curves are cut into lines, each within a known width of the curve: `inner` takes the width off
-// the tolerance, `outer` adds it. What inner reaches is reached; what outer does not is not.
+// Curves are cut into lines, each within a known width of the curve: `inner` subtracts the width
+// from the tolerance, `outer` adds it. What inner reaches is reached; what outer does not is not.
 enum class Bias : std::uint8_t { inner, outer };
 
 struct Manner {
   Bias bias = Bias::outer;
-  bool excuses_centres = false;  // R7: of arcs whose centre no text says how finely to compute
-  bool passes_end = false;       // R7: over an end that no text states
+  bool excuses_centres = false;          // R7: for arcs, as no text says how finely to compute them
+  bool passes_end = false;               // R7: over an end that no text states
   std::vector<std::size_t> turned = {};  // R9: records of arcs that have their other turn
   bool only_rounded = false;  // R2: and each of them is an arc of the reference's, rounded
 };
@@ -32,8 +32,8 @@ class Correspondence {
   // What it is given must outlive it.
   Correspondence(const reference::Profile& profile, std::string_view program,
                  const Tolerances& tolerances, const Outcome& outcome, const Manner& manner);
-  // The best that any correspondence comes to; where all depart, the departure of the one that
-  // comes farthest.
+  // The best answer of any correspondence; where all depart, the departure of the one that comes
+  // farthest.
   Answer best();
 
   // After that: whether a width was added or taken off, and the readings that were asked for.
@@ -49,7 +49,7 @@ class Correspondence {
     Number high;
   };
   using Intervals = std::vector<Interval>;
-  // The two sides; another pair behind a renaming and a free step.
+  // The two sides; behind a renaming and a free step another pair.
   struct Pair {
     std::shared_ptr<ReferenceSide> reference;
     std::shared_ptr<SubjectSide> subject;
@@ -64,8 +64,8 @@ class Correspondence {
     std::size_t m = 0;  // M functions that have come
     auto operator<=>(const Place&) const = default;
   };
-  // What is reached at one place: with the reference at the beginning of its event, parts of the
-  // subject's; with the subject at the beginning of its event, parts of the reference's.
+  // What is reached at one place: parts of the subject's event, with the reference at the beginning
+  // of its own; parts of the reference's event, with the subject at the beginning of its own.
   struct Reached {
     Intervals at_start_of_want;
     Intervals at_start_of_got;

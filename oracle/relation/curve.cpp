@@ -112,8 +112,12 @@ Number width_of(const Turning& turning, std::int64_t steps_of_turn) {
   return turning.radius * 5 / (n * n) + abs(turning.growth) * turning.radius * 2 / n;
 }
 
+// Without a tolerance no number of steps is enough: the turn is cut into few, and the answer lies
+// within the width of these, unless the two sides have the same pieces.
 std::int64_t steps_of_turn(const Turning& turning, const Number& tau) {
   constexpr std::int64_t kMost = std::int64_t{1} << 40;
+  constexpr std::int64_t kFew = 1 << 10;
+  if (tau.sign() == 0) return kFew;
   std::int64_t steps = 64;
   while (steps < kMost && width_of(turning, steps) * 8 > tau) steps += steps / 4;
   return steps;

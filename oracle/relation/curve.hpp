@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Motions as curves, cut into straight pieces. A piece says how far the points of the curve may lie
-// from it; a line is one piece, and lies nowhere else.
+// from it; a line is one piece, with no such distance.
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@ using reference::Position;
 Number rational_near(const Number& number);
 Position rational_near(const Position& position);
 
-// Where a record's motion leads from there.
+// Where a record's motion that starts at `from` ends.
 Position end_of(const reference::Record& record, const Position& from);
 
 // A place on the raster of a millionth of a millimetre, finer where tau is small; how far it may be
-// from the place that is meant.
+// from the place that it stands for.
 struct Rastered {
   Position at;
   Number width;
@@ -49,14 +49,14 @@ struct Turning {
   Position drift;  // along the axes that do not turn
 };
 
-// Whether an arc may be read as another one, since its ends agree within tau: a nil turn where its
+// Whether an arc may be read as another, because its ends agree within tau: as a nil turn where its
 // numbers say a full one, or the reverse.
 enum class Turn : std::uint8_t { as_written, the_other };
 bool ends_agree(const reference::Record& arc, const Position& from, const Number& tau);
-// The same of an arc that ends beside where it starts: what it says itself is not sure.
+// The same for an arc that ends beside its start: its own turns are not sure.
 bool has_two_readings(const reference::Record& record, const Position& from, const Number& tau);
 
-// The pieces of a motion, one at a time: an arc of a thousand million turns has many.
+// Gives the pieces of a motion one at a time: an arc of a thousand million turns has many.
 class Cutter {
  public:
   Cutter(const reference::Record& record, const Position& from, const Number& tau, Turn turn);

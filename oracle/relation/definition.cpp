@@ -72,7 +72,7 @@ bool is_departure(const Answer& answer) {
   return decision(answer.kind) == Decision::no_go;
 }
 
-// R7: the answer under what is excused: where that is GO an advice, and undecided where it is that.
+// R7: the answer with the excuse: an advice where that is GO, undecided where that is undecided.
 void excuse(Answer& answer, const Answer& excused, std::string message) {
   if (rank(excused) == kUndecided) answer = excused;
   if (rank(excused) != kGo && excused.kind != VerdictKind::advice) return;
@@ -99,8 +99,8 @@ std::vector<std::vector<std::size_t>> other_turns(const reference::Profile& prof
   return turns;
 }
 
-// R2: with the arcs at which the trace departs, one after the other, as what they are of the
-// reference's, rounded.
+// R2: takes the arcs at which the trace departs, one after the other, as rounded arcs of the
+// reference.
 std::optional<Judgement> judge_rounded(const reference::Profile& profile, std::string_view program,
                                        const Tolerances& tolerances, const Outcome& outcome,
                                        const Answer& departure) {
@@ -207,12 +207,39 @@ std::optional<Answer> overrun(const Outcome& outcome) {
   return std::nullopt;
 }
 
+// R3: the first record, or the alarm, without the line that the subject declares.
+std::optional<Answer> without_line(const Tolerances& tolerances, const Outcome& outcome) {
+  if (!tolerances.compare_blocks) return std::nullopt;
+  const auto lacks = [&](const reference::Record& record) {
+    if (record.block != 0 || record.kind == reference::RecordKind::end) return false;
+    if (record.kind == reference::RecordKind::m) return tolerances.compare_m;
+    return record.kind != reference::RecordKind::dwell || record.seconds.sign() != 0;
+  };
+  const auto first = std::ranges::find_if(outcome.records, lacks);
+  const bool is_alarm = first == outcome.records.end();
+  if (is_alarm && (outcome.alarm == nullptr || outcome.alarm->block != 0)) return std::nullopt;
+  Answer answer;
+  answer.kind = VerdictKind::protocol;
+  answer.record = static_cast<std::size_t>(first - outcome.records.begin());
+  answer.message = is_alarm ? "The alarm has no line." : "The record has no line.";
+  return answer;
+}
+
+// Whether an answer stands where a line is lacking: it decides before that, or the gauge cannot say
+// what the program does there.
+bool stands(const Answer& answer, const Answer& lacking, const Outcome& outcome) {
+  const bool is_gap = decision(answer.kind) == Decision::undecided;
+  if (!is_gap && !is_departure(answer)) return false;
+  const bool is_alarm = *lacking.record == outcome.records.size();
+  return answer.record.value_or(0) < *lacking.record || (is_gap && is_alarm);
+}
+
 bool is_better(const Answer& one, const Answer& other) {
   return rank(one) < rank(other) || (rank(one) == rank(other) && one.record > other.record);
 }
 
-// R7: whether the departure shows that its alternative runs the block over whose alarm the other
-// answer runs: it comes behind that alarm, or in its block and at no alarm.
+// R7: whether the departure shows that its alternative runs the block whose alarm the other answer
+// runs over: it comes behind that alarm, or in its block and at no alarm.
 bool shows_how_to_run_on(const Answer& departure, const Answer& runs_on) {
   if (departure.block == 0 || departure.block > runs_on.block) return true;
   return departure.block == runs_on.block && departure.rule != Rule::alarm;
@@ -232,11 +259,12 @@ std::string_view name(GapReason reason) {
   return kNames[static_cast<std::size_t>(reason)];
 }
 
+namespace {
+
 // The best of all combinations of the open readings that the program asks for; of departures the
 // one that comes last.
-Answer decide(const reference::Profile& profile, std::string_view program,
-              const Tolerances& tolerances, const Outcome& outcome) {
-  if (std::optional<Answer> answer = overrun(outcome)) return *std::move(answer);
+Answer best_answer(const reference::Profile& profile, std::string_view program,
+                   const Tolerances& tolerances, const Outcome& outcome) {
   constexpr std::size_t kMostAssignments = 64;
   std::vector<reference::ReadingChoice> choices = {profile.readings};
   std::optional<Answer> best;
@@ -285,6 +313,16 @@ Answer decide(const reference::Profile& profile, std::string_view program,
     if (shown == nullptr || is_better(departure, *shown)) shown = &departure;
   }
   return shown == nullptr ? *best : *shown;
+}
+
+}  // namespace
+
+Answer decide(const reference::Profile& profile, std::string_view program,
+              const Tolerances& tolerances, const Outcome& outcome) {
+  const std::optional<Answer> behind_end = overrun(outcome);
+  Answer answer = behind_end ? *behind_end : best_answer(profile, program, tolerances, outcome);
+  const std::optional<Answer> lacking = without_line(tolerances, outcome);
+  return lacking && !stands(answer, *lacking, outcome) ? *lacking : answer;
 }
 
 }  // namespace gonogo::relation

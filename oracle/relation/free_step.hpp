@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// R8: what a manual leaves open, by the conditions of its clause.
+// R8: what a manual leaves open, held to the conditions of its clause.
 #pragma once
 
 #include <string_view>
@@ -13,13 +13,13 @@
 namespace gonogo::relation {
 
 // A helical pocket leaves open at which point of its circle the tool comes to the helix; that point
-// decides everything. The paths for all points at which the subject, from its event `begin` on, may
+// decides everything. One path for each point at which the subject, from its event `begin` on, may
 // have come to it.
 std::vector<std::vector<reference::Record>> paths_of(const reference::HelixPocket& pocket,
                                                      SubjectSide& subject, std::size_t begin,
                                                      const Number& tau);
 
-// What a place may be off by; the width of a piece is taken off it or added (Bias).
+// How far a place may be off; the width of a piece is subtracted or added (Bias).
 class Slack {
  public:
   Slack(const Tolerances& tolerances, bool is_generous)
@@ -35,7 +35,7 @@ class Slack {
   bool is_generous_;
 };
 
-// What the subject's events from one on are of a step: where the step may be over, or which event
+// How the subject's events, from one on, follow a step: where the step may be over, or which event
 // breaks a condition.
 struct StepAnswer {
   std::vector<std::size_t> ends;
@@ -52,8 +52,8 @@ StepAnswer follow(const reference::PocketLevel& level, const Followed& way);
 StepAnswer follow(const reference::PocketMilling& pocket, const Followed& way);
 StepAnswer follow(const reference::ThreadMilling& thread, const Followed& way);
 
-// The paths of a thread that the reading gsk.thread.path = arc names, on either side along p, none
-// with a run-out that is unfit where another is fit; none of more passes than `most`.
+// The paths of a thread that the reading gsk.thread.path = arc names, on either side along p. None
+// has an unfit run-out where another is fit, or more passes than `most`.
 std::vector<std::vector<reference::Record>> paths_of(const reference::ThreadMilling& thread,
                                                      const Position& from, const Followed& way,
                                                      std::size_t most);
@@ -66,11 +66,11 @@ bool is_unfit(const reference::ThreadMilling& thread, const Followed& way, std::
 std::optional<std::size_t> end_of_small_stretch(SubjectSide& subject, std::size_t begin,
                                                 const Position& place, const Number& tau);
 
-// Which way the arc that the piece is of turns in a plane, as the sign of rot; 0: it is no arc, or
-// one that may come as its chord.
+// Which way the arc of the piece turns in a plane, as the sign of rot; 0: it is no arc, or one that
+// may come as its chord.
 int sense_of(const Event& piece, const reference::PlaneAxes& axes);
 
-// Whether an axis moves that none of these is.
+// Whether an axis other than these moves.
 bool moves_another_axis(const Event& piece, const Position& start, const reference::PlaneAxes& axes,
                         const Number& off);
 

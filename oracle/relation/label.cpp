@@ -59,8 +59,8 @@ bool is_same(const Label& a, const Label& b) {
 
 bool agree(const Number& want, const Number& got, const std::optional<Number>& resolution,
            const Tolerances& tolerances) {
-  // Two units in the last place of a double lie below 2^-51 of its value. Who declares nothing of
-  // its numbers may have doubles.
+  // Two units in the last place of a double lie below 2^-51 of its value. A subject that declares
+  // nothing of its numbers may have doubles.
   const bool may_be_double = tolerances.binary64 || (!tolerances.exact && !resolution);
   const Number last_places =
       may_be_double ? abs(want.bounds(kBitsOfLabel)[0]) * Number::binary(1, -51) : Number(0);

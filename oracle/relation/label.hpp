@@ -21,11 +21,11 @@ struct Label {
 
 Label label_of(const reference::Record& motion, bool is_flat, const Tolerances& tolerances);
 
-// Whether they are one label, to the last digit: of motions of one side.
+// Whether two motions of one side have one label, to the last digit.
 bool is_same(const Label& a, const Label& b);
 
-// Whether `got` is `want`, or as far off as rounding to the resolution makes it. Two enclosures
-// that overlap agree: nothing says that they differ.
+// Whether `got` is `want`, or as far off as rounding to the resolution puts it. Two enclosures that
+// overlap agree: nothing says that they differ.
 bool agree(const Number& want, const Number& got, const std::optional<Number>& resolution,
            const Tolerances& tolerances);
 

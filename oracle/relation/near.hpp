@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// R2: places and pieces that are near each other. REQUIRES of all: rational numbers.
+// R2: places and pieces that are near each other. REQUIRES: all numbers are rational.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct Part01 {
   Number low = 0;
   Number high = 1;
 };
-// The part of a piece that is near a place; nothing where none is.
+// The part of a piece that is near a place; nothing: no part is.
 std::optional<Part01> near_part(const Event& piece, const Position& place, const Number& tolerance);
 
 }  // namespace gonogo::relation

@@ -75,7 +75,7 @@ class LevelConditions {
 
   // Cover, step and order; each with the tolerance of arcs and the chord that is granted.
   std::string_view broken_at_end() const {
-    // A chord that is granted counts as an arc; where it does not have to, it need not.
+    // A granted chord may count as an arc, and need not.
     const bool counts_lines = tolerances_.chord.sign() > 0 && slack_.is_generous();
     const std::vector<Stroke> arcs = arcs_of(counts_lines);
     const Number off = tolerances_.tolerance * 17 / 8 + tolerances_.chord;
@@ -97,8 +97,8 @@ class LevelConditions {
     bool is_arc;
   };
 
-  // Straight and longer than L, or across more than 45 degrees: which way it goes round no text
-  // says.
+  // Straight and longer than L, or across more than 45 degrees: no text says which way it goes
+  // round.
   bool is_link(const Event& piece) const {
     if (piece.source().kind != RecordKind::feed) return false;
     const Offset from = offset_of(rational_near(piece.start));

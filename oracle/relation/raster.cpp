@@ -71,9 +71,13 @@ bool meets(const Stadium& stadium, const Point& at, std::int64_t half) {
   return is_within(at, stadium.stroke, stadium.reach + half * 3 / 2 + 1);
 }
 
+// What strokes may be off leaves open what is smaller than half of it. Where next to nothing may be
+// off, halving has to end all the same: so many squares are divided.
+constexpr std::int64_t kMostSquares = 1 << 16;
+
 template <typename Area>
 Said said_of(const Cover& cover, const Area& area, const Point& at, std::int64_t half,
-             std::span<const Stroke> path) {
+             std::int64_t& squares, std::span<const Stroke> path) {
   if (!meets(area, at, half) || (cover.cleared && cover.cleared->has(at, half))) return Said::yes;
   const std::int64_t diagonal = half * 3 / 2 + 1;
   std::vector<Stroke> candidates;
@@ -86,12 +90,12 @@ Said said_of(const Cover& cover, const Area& area, const Point& at, std::int64_t
     candidates.push_back(stroke);
   }
   if (!is_reached && meets(area, at, 0)) return Said::no;
-  if (half <= cover.raster) return Said::near;
+  if (half <= std::max(cover.raster, cover.slack / 2) || --squares < 0) return Said::near;
   const std::int64_t quarter = (half + 1) / 2;
   Said all = Said::yes;
   for (const Point& part : {Point{-quarter, -quarter}, Point{quarter, -quarter},
                             Point{-quarter, quarter}, Point{quarter, quarter}}) {
-    const Said said = said_of(cover, area, {at.p + part.p, at.q + part.q}, quarter,
+    const Said said = said_of(cover, area, {at.p + part.p, at.q + part.q}, quarter, squares,
                               std::span<const Stroke>(candidates));
     if (said == Said::no) return said;
     if (said == Said::near) all = said;
@@ -103,14 +107,16 @@ Said said_of(const Cover& cover, const Area& area, const Point& at, std::int64_t
 
 Said Cover::of(const Region& region) const {
   const std::int64_t half = std::max(region.outer.half_p, region.outer.half_q);
-  return half < 0 ? Said::yes : said_of(*this, region, {}, half, path);
+  std::int64_t squares = kMostSquares;
+  return half < 0 ? Said::yes : said_of(*this, region, {}, half, squares, path);
 }
 
 Said Cover::of(const Stadium& stadium) const {
   const auto [from, to] = stadium.stroke;
   const std::int64_t half =
       std::max(std::abs(to.p - from.p), std::abs(to.q - from.q)) / 2 + stadium.reach + 1;
-  return said_of(*this, stadium, {(from.p + to.p) / 2, (from.q + to.q) / 2}, half, path);
+  std::int64_t squares = kMostSquares;
+  return said_of(*this, stadium, {(from.p + to.p) / 2, (from.q + to.q) / 2}, half, squares, path);
 }
 
 }  // namespace gonogo::relation

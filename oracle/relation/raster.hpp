@@ -22,10 +22,10 @@ struct Stroke {
   Point from;
   Point to;
 };
-// Whether a stroke comes as near to a place as that.
+// Whether a stroke comes within `reach` of a place.
 bool is_within(const Point& place, const Stroke& stroke, std::int64_t reach);
 
-// REQUIRES of all that is put on it: no farther from the middle than the extent.
+// REQUIRES: nothing that is put on it is farther from the middle than the extent.
 class Raster {
  public:
   explicit Raster(const Number& extent);
@@ -36,12 +36,13 @@ class Raster {
   Number scale_;  // units of a mm
 };
 
-// A rectangle about the middle with round corners, which may be a circle, less one within it.
+// A rectangle about the middle with round corners, which may be a circle; a region is one of these
+// less one within it.
 struct Box {
   std::int64_t half_p = 0;
   std::int64_t half_q = 0;
   std::int64_t corner = 0;
-  // Whether it has a place of the square about `at`; whether it has the whole of it.
+  // Whether it has a place of the square about `at`; whether it has the whole square.
   bool meets(const Point& at, std::int64_t half) const;
   bool has(const Point& at, std::int64_t half) const;
 };
@@ -49,7 +50,7 @@ struct Region {
   Box outer;
   std::optional<Box> inner;
 };
-// All places as near to a stroke as that.
+// All places no farther than `reach` from a stroke.
 struct Stadium {
   Stroke stroke;
   std::int64_t reach = 0;

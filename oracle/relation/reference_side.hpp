@@ -11,7 +11,7 @@
 
 namespace gonogo::relation {
 
-// What a free step turned out to be, by the number of its item: records that lead through it.
+// The records that lead through each free step that is decided, by the number of its item.
 using Settled = std::map<std::size_t, std::vector<reference::Record>>;
 
 // A rule that no text states, by which a block runs on, and the event with which the block begins.
@@ -21,24 +21,24 @@ struct Acceptance {
   reference::ClauseId clause = reference::kNoClause;
 };
 
-// The reference's events, each asked of it when it is looked at.
+// The reference's events, each computed when it is looked at.
 class ReferenceSide {
  public:
   // What it is given must outlive it. `passes_end`: what stands behind an end that no text states
   // follows what stands before it (R7).
   ReferenceSide(const reference::Profile& profile, std::string_view program,
                 const Tolerances& tolerances, Settled settled, bool passes_end);
-  // The last one is the close; REQUIRES: none before it is.
+  // The last event is the close; REQUIRES: no event before `index` is.
   const Event& at(std::size_t index);
 
-  // M functions that hold no place among the motions, in order: how many are known when event
-  // `index` is; each of them; whether it may stand before event `index`, and whether it has to have
-  // come by then (R5).
+  // M functions that have no place of their own among the motions (R5), in order: how many are
+  // known when event `index` is; each of them; whether it may stand before event `index`; whether
+  // it must have come by then.
   std::size_t m_functions(std::size_t index);
   const reference::Record& m_function(std::size_t number) const { return m_[number].record; }
   bool may_stand(std::size_t number, std::size_t index);
   bool is_overdue(std::size_t number, std::size_t index);
-  // Whether two are of one block that gives them no order; then the later one may come first.
+  // Whether both belong to one block that gives them no order; then the later one may come first.
   bool may_change_places(std::size_t number, std::size_t later) const;
   struct Move {
     std::size_t index = 0;  // an event by which both are known
@@ -57,7 +57,7 @@ class ReferenceSide {
   const reference::ReadingsInUse& readings() const { return expander_.readings(); }
 
  private:
-  // From one event to before another.
+  // The events from `begin` to before `end`.
   struct Block {
     std::size_t begin;
     std::size_t end;

@@ -138,7 +138,7 @@ std::optional<Correspondence::Place> Correspondence::behind_m(const Place& place
   return next;
 }
 
-// One that is equal so far, but for what is settled.
+// A reference side that is equal so far, except for what is settled.
 std::shared_ptr<ReferenceSide> Correspondence::another_reference(const Place& place,
                                                                  Settled settled) {
   auto another = std::make_shared<ReferenceSide>(profile_, program_, tolerances_,

@@ -31,6 +31,7 @@ std::optional<Event> MotionEvents::next() {
   };
   piece.one_axis = std::ranges::count_if(reference::kAllAxes, moves) == 1;
   event_.begins = false;
+  ++event_.piece;
   return piece;
 }
 

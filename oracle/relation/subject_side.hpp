@@ -9,15 +9,15 @@
 namespace gonogo::relation {
 
 // The subject's events from one of its records on, from a place where it stands. Behind a renaming
-// the same records start from a place of another name: another side.
+// the same records start from a place with another name: that is another side.
 class SubjectSide {
  public:
   // What it is given must outlive it. `turned`: the records of arcs that have their other turn.
   SubjectSide(std::span<const reference::Record> records, std::size_t first, const Position& from,
               const Tolerances& tolerances, std::span<const std::size_t> turned);
-  // The last one is the close; REQUIRES: none before it is.
+  // The last event is the close; REQUIRES: no event before `index` is.
   const Event& at(std::size_t index);
-  // Where the subject stands before an event that is no piece within a motion, exactly.
+  // The exact place where the subject stands before an event that does not lie within a motion.
   const Position& place(std::size_t index);
 
  private:

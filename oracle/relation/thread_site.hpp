@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// R8 of threads: what a place or a piece is, seen from the axis of the thread.
+// R8 for threads: places and pieces, seen from the axis of the thread.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ class ThreadSite {
  public:
   ThreadSite(const reference::ThreadMilling& thread, const Followed& way);
 
-  // What a piece has that no step allows; empty: nothing. Axes and words.
+  // What a piece has that no step allows, of axes and words; empty: nothing.
   std::string_view words_of(const Event& piece, bool may_traverse) const;
 
   Offset offset_of(const Position& place) const {
     return {place[axes_.p] - middle_.p, place[axes_.q] - middle_.q};
   }
-  // Of an arc.
+  // REQUIRES: an arc.
   Offset centre_of(const Event& piece) const {
     const std::array<Number, 2>& centre = piece.source().centre;
     return Offset{rational_near(centre[0]), rational_near(centre[1])} - middle_;
@@ -33,17 +33,17 @@ class ThreadSite {
   bool is_at_bottom(const Position& place) const {
     return abs(height_of(place)) <= tolerances_.tolerance * 17 / 8;
   }
-  // On a circle; deeper in the material than it, farther from the axis than it, in any point.
+  // Whether a place is on a circle; whether any point is deeper in the material, or farther out.
   static bool is_on(const Offset& at, const Number& radius, const Number& off);
   bool is_deeper(const Offset& from, const Offset& to, const Number& radius,
                  const Number& off) const;
   bool is_deeper(const Event& piece, const Number& radius) const;
   bool is_beyond(const Event& piece, const Number& radius) const;
-  // For pass 0: of the uncut part. What the ways behind the run-out keep to.
+  // For pass 0: that of the uncut part. The circle to which the ways behind the run-out keep.
   Number radius_of_pass(std::int64_t number) const;
   Number kept_of(std::int64_t number) const;
-  // R9: whether the run-out of the reading leads into the material by itself; the polar one where
-  // it is open, because where that does the straight ones do.
+  // R9: whether the run-out of the reading leads into the material by itself. Where the reading is
+  // open the polar one decides: where that does, the straight ones do.
   bool is_unfit(std::int64_t number) const;
   bool is_safe(const Position& place) const;
   // Whether a line that began elsewhere goes on in another direction.
@@ -51,10 +51,10 @@ class ThreadSite {
   // R3: whether straight cuts from one place to the next are granted chords of one arc, of no more
   // than a turn. Three of the places, far apart, give its circle.
   bool are_chords(const std::vector<Offset>& places) const;
-  // Where J and K lead from the end of a helix; of a bore also through its axis.
+  // Where J and K lead from the end of a helix; in a bore also through its axis.
   std::vector<Offset> ends_of_run_out(const Offset& from) const;
-  // J-THR-05: how far from the axis of a bolt it leads: to its end, or beyond half a turn to the
-  // point across from where the arc begins that leaves the helix tangentially.
+  // J-THR-05: how far from the axis of a bolt the run-out leads: to its end; beyond half a turn, to
+  // the point across from where the arc that leaves the helix tangentially begins.
   Number farthest_of_run_out(const Number& radius) const;
   // From the bottom up, never down; in the material no higher than the groove rises over K.
   std::string_view broken_height(const Event& piece) const;
@@ -78,8 +78,8 @@ class ThreadSite {
   bool are_chords_about(const Offset& centre, const std::vector<Offset>& places) const;
 };
 
-// Arcs that all turn one way, no more than once: the way their directions go round, of which
-// quarters are seen. No corner between two of them is of more than a quarter of a turn.
+// Arcs that all turn one way, no more than once, without a corner of more than a quarter of a turn
+// between two of them. `directions_` counts the quarters that their directions go round.
 class Arcs {
  public:
   explicit Arcs(const ThreadSite& site) : site_(site) {}

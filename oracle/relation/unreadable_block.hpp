@@ -10,8 +10,8 @@
 
 namespace gonogo::relation {
 
-// R6: whether the words of a block that cannot be read, as far as they can be, have an alarm of
-// that class which nothing behind them could take away.
+// R6: whether the readable words of a block that cannot be read have an alarm of that class, and
+// nothing behind them could take it away.
 bool alarms_before_fault(const reference::Profile& profile, std::string_view program,
                          const reference::AlarmReport& report, std::string_view alarm_class);
 

@@ -10,7 +10,7 @@
 
 namespace gonogo::relation {
 
-// From a middle, along p and q. What the kernel of reference/geometry/ says of it.
+// A vector from a middle, along p and q. The kernel of reference/geometry/ has such operations too.
 struct Offset {
   Number p;
   Number q;

@@ -83,7 +83,8 @@ Verdict m_function_missing(const Record& due, std::string got, std::size_t numbe
 
 Verdict other_m_function(const Record& due, const Record& got, std::size_t number) {
   return m_verdict(VerdictKind::fail_geometry, &due, &got, number,
-                   "The M functions passed on differ.");
+                   due.m == got.m ? "The M function belongs to another block."
+                                  : "The M functions passed on differ.");
 }
 
 Verdict m_function_within(const Record& due, const Record& got, std::size_t number) {

@@ -43,14 +43,11 @@ TEST(UnitMessage, OfAFeedOfARotaryAxis) {
             "times what is due: degrees taken for inches?");
 }
 
-// G4 P300 of rs274 is 300 s; in ms it is 0.3 s. G04 P3 of the HNC is 0.003 s; in s it is 3 s.
+// G4 P300 of rs274 is 300 s; in ms it is 0.3 s.
 TEST(UnitMessage, OfADwell) {
   EXPECT_EQ(verdict_of("ngc", "dwell-in-milliseconds", "rs274", "G4 P300\nM2\n").message,
             "The dwell differs. It is 0.3 s in place of 300. It is a 1000th of what is due: s "
             "taken for ms?");
-  EXPECT_EQ(verdict_of("hnc", "dwell-in-seconds", "hnc21t", "G04 P3\nM30\n").message,
-            "The dwell differs. It is 3 s in place of 0.003. It is 1000 times what is due: ms "
-            "taken for s?");
   EXPECT_EQ(verdict_of("gsk", "dwell-halved", "gsk988ta", "G04 X3\nM30\n").message,
             "The dwell differs. It is 1.5 s in place of 3. It is half what is due: halved as a "
             "diameter is?");

@@ -107,8 +107,20 @@ std::vector<Disputed> disputed() {
        kMissing, "HNC-COM-04"},
       {"a dwell without a time, SINUMERIK", kSie, "G0 X10\nG4\nX20\n", sie + rapid_x(3, "20"),
        kMissing, "SIE-MOD-06"},
+      {"a code that moves nothing beside a dwell", kSie, "G0 X10\nG4 F1 G90\nX20\n",
+       sie + dwell(2, "1") + rapid_x(3, "20"), kMissing, "SIE-MOD-10"},
+      {"a code that moves nothing beside a dwell, without a dwell", kSie,
+       "G0 X10\nG4 F1 G90\nX20\n", sie + rapid_x(3, "20"), kMissing, "SIE-MOD-10"},
       {"a dwell below zero, GSK", kGsk, "G00 X10\nG04 P-100\nX20\n",
        lathe + dwell(2, "0.1") + rapid_x(3, "10"), VerdictKind::fail_alarm_missing, "GSK-COM-12"},
+      {"a dwell below zero and an alarm of a later block, GSK", kGsk,
+       "G98 G00 X40 Z2\nM03 S500\nG04 P-100\nG01 Z-20 F100\nG02 X50 Z-30\nM30\n",
+       R"({"k":"rapid","b":1,"to":{"x":"20","z":"2"}})"
+       "\n"
+       R"({"k":"feed","b":4,"to":{"z":"-20"},"f":"100"})"
+       "\n" +
+           subject_alarm(5, "missing-word"),
+       VerdictKind::fail_alarm_late, "GSK-COM-12"},
       {"a dwell below zero, HNC", kHnc, "G00 X10\nG04 P-100\nX20\n", lathe + rapid_x(3, "10"),
        kMissing, "HNC-COM-04"},
       {"a dwell below zero, SINUMERIK", kSie, "G0 X10\nG4 F-1\nX20\n", sie + rapid_x(3, "20"),

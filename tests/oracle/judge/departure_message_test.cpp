@@ -400,6 +400,67 @@ TEST(DepartureMessage, AWrongArcIsOfItsOwnLineThoughTheRightOneIsNegligible) {
   EXPECT_EQ(verdict.block, 3U);
 }
 
+// R5, R6. What is missing, and what comes in its place.
+TEST(DepartureMessage, WhatIsMissingBeforeTheEndIsNamed) {
+  const Judging judging{.m = true, .dialect = "rs274"};
+  const std::string cut = R"({"k":"feed","b":1,"to":{"x":"10"},"f":"100"})"
+                          "\n";
+  const std::string alarm = R"({"k":"alarm","b":3,"class":"duplicate-word"})";
+  const auto said = [&](const std::string& block, const std::string& behind) {
+    const std::string program = "G21 G1 X10 F100\n" + block + "\nG0 X1 X2\n";
+    return judge_trace(program, cut + behind, judging).message;
+  };
+  EXPECT_EQ(said("G1 X20", ""), "The end of the trace comes before this motion.");
+  EXPECT_EQ(said("G4 P0.5", ""), "The end of the trace comes before this dwell.");
+  EXPECT_EQ(said("G1 X20", alarm), "The alarm comes before this motion.");
+  EXPECT_EQ(said("G4 P0.5", alarm), "The alarm comes before this dwell.");
+  EXPECT_EQ(said("M3 S100", alarm), "The alarm comes before this M function.");
+}
+
+// R3. Four events of four lines; `dwell` and `m` stand for the `b` of theirs.
+Verdict judged_lines(std::string_view dwell, std::string_view m) {
+  const Judging judging{.m = true, .dialect = "rs274"};
+  const std::string trace = R"({"k":"feed","b":1,"to":{"x":"10"},"f":"100"}
+{"k":"dwell",)" + std::string(dwell) +
+                            R"("s":"0.5"}
+{"k":"m",)" + std::string(m) +
+                            R"("m":3}
+{"k":"feed","b":4,"to":{"x":"20"},"f":"100"}
+)";
+  return judge_trace("G21 G1 X10 F100\nG4 P0.5\nM3 S100\nG1 X20\n", trace, judging);
+}
+
+TEST(DepartureMessage, AnEventWithoutALineBreaksTheProtocol) {
+  EXPECT_EQ(judged_lines(R"("b":2,)", R"("b":3,)").kind, VerdictKind::pass_exact);
+  const Verdict dwell = judged_lines("", R"("b":3,)");
+  EXPECT_EQ(dwell.kind, VerdictKind::protocol) << dwell.message;
+  EXPECT_EQ(dwell.record, 1U);
+  const Verdict m = judged_lines(R"("b":2,)", "");
+  EXPECT_EQ(m.kind, VerdictKind::protocol) << m.message;
+  EXPECT_EQ(m.record, 2U);
+}
+
+TEST(DepartureMessage, AnEventOfAnotherLineBelongsToAnotherBlock) {
+  const Verdict dwell = judged_lines(R"("b":3,)", R"("b":3,)");
+  expect(dwell,
+         {VerdictKind::fail_geometry, 1, "NGC-G4-01", "", "The dwell belongs to another block."});
+  const Verdict m = judged_lines(R"("b":2,)", R"("b":2,)");
+  EXPECT_EQ(m.kind, VerdictKind::fail_geometry);
+  EXPECT_EQ(m.message, "The M function belongs to another block.");
+}
+
+TEST(DepartureMessage, AnAlarmWithoutALineBreaksTheProtocol) {
+  const auto judged = [](const std::string& program, std::string_view line) {
+    const std::string trace = R"({"k":"feed","b":1,"to":{"x":"10"},"f":"100"}
+{"k":"alarm",)" + std::string(line) +
+                              R"("class":"duplicate-word"})";
+    return judge_trace("G21 G1 X10 F100\n" + program, trace, of("rs274"));
+  };
+  EXPECT_EQ(judged("G0 X1 X2\n", R"("b":2,)").kind, VerdictKind::pass_exact);
+  EXPECT_EQ(judged("G0 X1 X2\n", "").kind, VerdictKind::protocol);
+  EXPECT_EQ(judged("G0 X1\n", "").kind, VerdictKind::protocol);
+}
+
 // HNC-MOD-05, in the form of another maker. Line 4 alarms, too.
 TEST(DepartureMessage, AnAlarmOfACycleWithoutTravelIsAnAdviceThoughALaterBlockAlarms) {
   TraceText trace(1);

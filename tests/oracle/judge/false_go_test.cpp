@@ -221,6 +221,29 @@ TEST(FalseGo, AGrantedToleranceExcusesNoDwell) {
   EXPECT_EQ(decision(kind("1.4")), Decision::no_go);
 }
 
+std::string lathe_motion(const char* kind, const char* axis, const char* to) {
+  const std::string feed = std::string(kind) == "feed" ? R"(,"f":"50")" : "";
+  return fmt::format(R"({{"k":"{}","b":2,"to":{{"{}":"{}"}}{}}})"
+                     "\n",
+                     kind, axis, to, feed);
+}
+
+// HNC-G75-03: X30 is the radius 15. To traverse there and cut 3 further is a way of a groove with a
+// width.
+TEST(FalseGo, AGrooveWithoutAWidthIsNotTraversedToItsBottom) {
+  const std::string start = R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}})"
+                            "\n";
+  const std::string plunge = lathe_motion("rapid", "x", "15") + lathe_motion("feed", "x", "12") +
+                             lathe_motion("rapid", "x", "25");
+  const Judging hnc = {.reading = "hnc.g75.mode3=any", .dialect = "hnc21t"};
+  EXPECT_EQ(decision(judge_trace("G00 X50 Z5\nG75 X30 Q3 F50\n", start + plunge, hnc).kind),
+            Decision::no_go);
+  const std::string wide =
+      start + plunge + lathe_motion("rapid", "z", "4") + plunge + lathe_motion("rapid", "z", "5");
+  EXPECT_EQ(decision(judge_trace("G00 X50 Z5\nG75 X30 Z4 Q3 I1 F50\n", wide, hnc).kind),
+            Decision::go);
+}
+
 // A G50 moves nothing: between its block and the one before, no motion is due. It was a gap.
 TEST(FalseGo, AMotionTooManyBeforeARenamingIsNoGap) {
   constexpr std::string_view kRenamed = "G00 X50 Z20\nG50 Z0\nG01 Z-5 F100\n";

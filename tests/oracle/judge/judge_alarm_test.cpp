@@ -36,6 +36,19 @@ TEST(AlarmJudge, EachWrongAlarmHasItsOwnVerdict) {
   EXPECT_EQ(judge_trace(kTaperTooLong, kRapidToStart).kind, VerdictKind::fail_alarm_missing);
 }
 
+TEST(AlarmJudge, AClassThatThereIsNotIsNamedWithTheNearest) {
+  const auto message = [](const char* name) {
+    return judge_trace(kTaperTooLong, kRapidToStart + alarm(2, name)).message;
+  };
+  EXPECT_TRUE(message("taper-limt")
+                  .ends_with(" There is no alarm class \"taper-limt\". Did you mean taper-limit?"))
+      << message("taper-limt");
+  EXPECT_TRUE(
+      message("value-sign zzzzzzzzzz").ends_with(" There is no alarm class \"zzzzzzzzzz\"."))
+      << message("value-sign zzzzzzzzzz");
+  EXPECT_EQ(message("value-sign").find("There is no"), std::string::npos);
+}
+
 TEST(AlarmJudge, MotionOfEarlierBlocksMustHaveCome) {
   EXPECT_EQ(judge_trace(kTaperTooLong, alarm(2, "taper-limit")).kind, VerdictKind::fail_geometry);
 }

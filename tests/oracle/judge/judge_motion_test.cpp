@@ -191,6 +191,46 @@ TEST(MotionJudge, MFunctionsAreComparedInTheirOrderOnlyWhenDeclared) {
   EXPECT_EQ(decided(kM, trace(8, 3)), Decision::go);
 }
 
+// J-CMP-09. What lies within the tolerance of the line, or is a chord, is not exact.
+TEST(MotionJudge, APieceThatEndsBesideItsMotionPassesWithinTheTolerance) {
+  const Judging coarse{.dialect = "rs274", .tolerance = "0.01"};
+  const auto in_two = [&](double x, double y) {
+    TraceText trace(1, 100);
+    trace.feed({{'x', x}, {'y', y}}).feed({{'x', 10}, {'y', 5}});
+    return judge_trace("G21 G1 X10 Y5 F100\n", trace.text(), coarse).kind;
+  };
+  EXPECT_EQ(in_two(4, 2), VerdictKind::pass_exact);
+  EXPECT_EQ(in_two(4, 2.01), VerdictKind::pass_tolerance);
+  EXPECT_EQ(in_two(4, 2.000000001), VerdictKind::pass_tolerance);
+  // The ways of a traverse are free.
+  TraceText rapids(1);
+  rapids.rapid({{'x', 4}, {'y', 3}}).rapid({{'x', 10}, {'y', 5}});
+  EXPECT_EQ(judge_trace("G21 G0 X10 Y5\n", rapids.text(), coarse).kind, VerdictKind::pass_exact);
+}
+
+// The half circle from (10, 0) over (0, 10) to (-10, 0); (8, 6) and (6, 8) lie on it.
+TEST(MotionJudge, APieceOfAnArcIsExactOnItsCircle) {
+  constexpr std::string_view kHalf = "G21 G17 G0 X10\nG3 X-10 Y0 I-10 J0 F100\n";
+  const auto begin = [] {
+    TraceText trace(1);
+    return trace.rapid({{'x', 10}}).block(2, 100);
+  };
+  const auto in_two = [&](double x, double y) {
+    TraceText trace = begin();
+    trace.arc("G17", {{'x', 0}, {'y', 0}}, 1, {{'x', x}, {'y', y}});
+    trace.arc("G17", {{'x', 0}, {'y', 0}}, 1, {{'x', -10}, {'y', 0}});
+    return judge_trace(kHalf, trace.text(), {.dialect = "rs274"}).kind;
+  };
+  EXPECT_EQ(in_two(6, 8), VerdictKind::pass_exact);
+  EXPECT_EQ(in_two(6.00005, 8), VerdictKind::pass_tolerance);
+  // 10 (1 - cos 26.6 degrees) = 1.06 at most between a chord and the arc.
+  TraceText chords = begin();
+  chords.feed({{'x', 8}, {'y', 6}}).feed({{'x', 0}, {'y', 10}}).feed({{'x', -8}, {'y', 6}});
+  chords.feed({{'x', -10}, {'y', 0}});
+  EXPECT_EQ(judge_trace(kHalf, chords.text(), {.chord = "1.2", .dialect = "rs274"}).kind,
+            VerdictKind::pass_tolerance);
+}
+
 TEST(MotionJudge, ACorrectlyRoundedEndPassesAsRounded) {
   constexpr std::string_view kThird = "G00 Z0.0004\n";
   const Judging rounding{.resolution = "0.001"};

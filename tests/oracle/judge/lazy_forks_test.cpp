@@ -43,9 +43,19 @@ constexpr auto kFollowed = std::to_array<Followed>({
     {"gsk988ta", "gsk.thread.modal", "none", kThreads},
     {"gsk988ta", "gsk.missing-axis", "position",
      "G17 G00 X40 Y30 Z10\nG112 X20 Y10 W-4 R-1 I6 L2 D4 F200\nX9 Y8\n"},
+    {"gsk988ta", "gsk.g80.motion", "kept", "G00 X50 Z5\nG01 Z-10 F100\nG80\nZ-20\n"},
+    {"gsk988ta", "gsk.g94.rewrite", "clear-all", "G00 X100 Z5\nG94 X60 Z-10 R-5 F100\nG94 X40\n"},
+    {"gsk988ta", "gsk.g94.still-axis", "ignored", "G00 X100 Z5\nG94 X60 Z-5 V0 F100\nG00 X90\n"},
+    {"gsk988ta", "gsk.arc.no-centre", "line", "G00 X50 Z10\nG02 X40 Z0 F100\n"},
+    {"gsk988ta", "gsk.arc.small-radius", "semicircle", "G17 G00 X0 Y0\nG02 Y20.01 R10 F100\n"},
     {"hnc21t", "hnc.modal.f", "forgotten",
      "G00 X50 Z2\nF200\nG80 X40 Z-9 F100\nG81 X40 Z-9\nG01 X0\n"},
     {"hnc21t", "hnc.g82.exit", "feed", "G00 X50 Z2\nG82 X40 Z-9 R-1 E1 F1\n"},
+    {"hnc21t", "hnc.g32.lead", "kept", "G00 X50 Z5\nG32 Z-30 F1.5\nG00 Z5\nG32 Z-30\n"},
+    {"hnc21t", "hnc.modal.words", "kept",
+     "G00 X50 Z5\nG80 X40 Z-20 I-3 F100\nG00 X52\nG80 X38 Z-20 F100\n"},
+    {"hnc21t", "hnc.g74.mode3", "on", "G00 X0 Z2\nG74 Z-10 Q3 F50\n"},
+    {"hnc21t", "hnc.g82.q", "alarm", "G00 X50 Z2\nG82 X40 Z-9 Q5 F1\n"},
     {"sinumerik840d", "sie.g70.f", "inch", "S400 M3\nG70 G1 X1 F5\n"},
     {"sinumerik840d", "sie.initial-motion", "g0", "S400 M3 F100\nX10\n"},
     {"rs274", "ngc.missing-tool", "alarm", "G0 X1\nT5\nM2\n"},
@@ -87,10 +97,10 @@ TEST(LazyForks, EachAlternativeOfAnOpenReadingIsRight) {
   }
 }
 
-// R was never given, so that keeping and clearing it are the same.
+// The end point along Z is where the tool stands, so that keeping and clearing it are the same.
 TEST(LazyForks, AlternativesThatMakeTheSameRecordsAreOne) {
   const reference::Profile open = all_open("gsk988ta");
-  const std::string_view program = "G18 G00 X100 Z10\nG94 X60 Z5 F100\nG94 X50 Z4\n";
+  const std::string_view program = "G18 G00 X100 Z10\nG94 X60 Z10 F100\nG94 X50\n";
   EXPECT_EQ(touched_by(open, program).size(), 1U);  // gsk.g94.rewrite
   const Assignments assignments = assignments_of(open, program);
   EXPECT_EQ(assignments.choices.size(), 1U);
@@ -99,6 +109,22 @@ TEST(LazyForks, AlternativesThatMakeTheSameRecordsAreOne) {
   const SessionVerdict said = judge_outcome(open, program, exact_terms(open), own.records, own.end);
   EXPECT_EQ(said.verdict.kind, VerdictKind::pass_exact);
   EXPECT_TRUE(said.open.empty());
+}
+
+// GSK-G94-12: what no text lets a block do, no reading lets it do.
+TEST(LazyForks, NoAlternativeRepeatsACycleInABlockWithoutAWordOfIt) {
+  const reference::Profile open = all_open("gsk988ta");
+  const std::string cycle = "G00 X100 Z5\nG94 X60 Z-5 R-2 F100\n";
+  const OwnOutcome twice = own_outcome(cycle + "X60\n", open);
+  const auto judged = [&](const std::string& block) {
+    const SessionVerdict said =
+        judge_outcome(open, cycle + block, exact_terms(open), twice.records, twice.end);
+    return decision(said.verdict.kind);
+  };
+  for (const char* block : {"S300\n", "T0202\n", "G97\n"}) {
+    EXPECT_EQ(judged(block), Decision::no_go) << block;
+  }
+  for (const char* block : {"F100\n", "G94\n"}) EXPECT_EQ(judged(block), Decision::go) << block;
 }
 
 // R9: two alternatives each of seven readings are 128 ways, of which a subject that follows

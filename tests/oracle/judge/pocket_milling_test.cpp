@@ -246,7 +246,31 @@ TEST(PocketMilling, ItEndsAboveTheCentreAtTheRetractPlane) {
   EXPECT_EQ(ends([](Miller& m) { m.line(5, 0).end(); }), "fail.geometry SIE-LC75-13");
   EXPECT_EQ(ends([](Miller& m) { m.lift(4).end(); }), "go");
   EXPECT_EQ(ends([](Miller& m) { m.lift(4.998).rapid(1, 0).end(); }), "fail.geometry SIE-LC75-13");
-  EXPECT_EQ(ends([](Miller& m) { m.plunge(5).end(); }), "fail.geometry SIE-LC75-13");
+}
+
+// SIE-LC75-13: no speed is printed for the way back. It may be a feed, R122, R123 or another, and
+// in pieces; the motion behind it is of the next block. Above R101 no clause leads.
+TEST(PocketMilling, TheWayBackToTheRetractPlaneMayBeAFeed) {
+  const auto ends = [](const Step& last, bool blocks) {
+    Miller miller{Job()};
+    miller.approach().plunge(-3.75).zigzag().plunge(-7.5).zigzag();
+    last(miller);
+    miller.end();
+    std::vector<Record> records = miller.records();
+    records.erase(records.end() - 2);  // the traverse to R101
+    return told(judge_records(Job().program(), records, {blocks}));
+  };
+  for (const bool blocks : {true, false}) {
+    for (const int feed : {120, 300, 1000}) {
+      EXPECT_EQ(ends([&](Miller& m) { m.feed_down(feed).plunge(5); }, blocks), "go") << feed;
+    }
+    EXPECT_EQ(ends([](Miller& m) { m.plunge(-1).plunge(3).plunge(5); }, blocks), "go");
+    EXPECT_EQ(ends([](Miller& m) { m.rapid_down(1).plunge(5); }, blocks), "go");
+    EXPECT_EQ(ends([](Miller& m) { m.line(5, 0).plunge(5).line(0, 0); }, blocks), "go");
+  }
+  EXPECT_EQ(ends([](Miller& m) { m.plunge(4.998); }, true), "fail.geometry SIE-LC75-13");
+  EXPECT_EQ(ends([](Miller& m) { m.line(5, 0).plunge(5); }, true), "fail.geometry SIE-LC75-13");
+  EXPECT_EQ(ends([](Miller& m) { m.plunge(6); }, true), "fail.region SIE-LC75-13");
 }
 
 TEST(PocketMilling, ASubjectThatStopsEarlyIsNoGo) {

@@ -157,6 +157,60 @@ TEST(RecordBudget, ATraverseInThreeThousandPiecesIsGo) {
   EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
 }
 
+// A control that interpolates gives pieces of a tolerance or less, one a millisecond. They add up:
+// 2 mm in 2,000 pieces and more, and a circle of radius 1, 6.283 mm long, in arcs of 2.09 and 1 um.
+TEST(RecordBudget, PiecesOfAToleranceAndLessAddUpOnALine) {
+  for (const int pieces : {2000, 4000, 20'000}) {
+    TraceText feeds(1, 200);
+    TraceText traverses(1);
+    for (int k = 1; k <= pieces; ++k) {
+      feeds.feed({{'z', -2.0 * k / pieces}});
+      traverses.rapid({{'x', 2.0 * k / pieces}, {'z', -2.0 * k / pieces}});
+    }
+    const Verdict fed = judge_trace("G18 G98 G01 Z-2 F200\n", feeds.text());
+    EXPECT_EQ(decision(fed.kind), Decision::go) << pieces << fed.message;
+    const Verdict traversed = judge_trace("G18 G00 X4 Z-2\n", traverses.text());
+    EXPECT_EQ(decision(traversed.kind), Decision::go) << pieces << traversed.message;
+  }
+}
+
+// From (1, 0) about the origin; `depth` along z in each turn.
+TraceText circle_of_one(int turns, int pieces, double depth) {
+  TraceText trace(1);
+  trace.rapid({{'x', 1}}).block(2, 100);
+  for (int k = 1; k <= turns * pieces; ++k) {
+    const double angle = 2 * std::numbers::pi * (k % pieces) / pieces;
+    trace.arc("G17", {{'x', 0}, {'y', 0}}, 1,
+              {{'x', std::cos(angle)}, {'y', std::sin(angle)}, {'z', depth * k / pieces}});
+  }
+  return trace;
+}
+
+TEST(RecordBudget, PiecesOfAToleranceAndLessAddUpOnAnArc) {
+  const auto expect_go = [](const char* program, const TraceText& trace) {
+    const Verdict verdict =
+        judge_trace(program, trace.text(), {.dialect = "rs274", .tolerance = "0.001"});
+    EXPECT_EQ(decision(verdict.kind), Decision::go) << program << verdict.message;
+  };
+  const char* const once = "G17 G21 G0 X1\nG3 X1 Y0 I-1 J0 F100\n";
+  expect_go(once, circle_of_one(1, 3000, 0));
+  expect_go(once, circle_of_one(1, 6283, 0));
+  // The second turn and the third lead to no place that is new.
+  expect_go("G17 G21 G0 X1\nG3 X1 Y0 I-1 J0 P3 F100\n", circle_of_one(3, 3000, 0));
+  expect_go("G17 G21 G0 X1\nG3 X1 Y0 Z-3 I-1 J0 P3 F100\n", circle_of_one(3, 3000, -1));
+}
+
+// One that stands still on its way, or goes to and fro within the tolerance, comes to no end.
+TEST(RecordBudget, DitheringOnALineIsStopped) {
+  for (const double by : {0.0, 0.0005, 0.001}) {
+    TraceText trace(1, 200);
+    trace.feed({{'z', -1}});
+    for (int k = 0; k < 3000; ++k) trace.feed({{'z', k % 2 == 0 ? -1 - by : -1.0}});
+    EXPECT_EQ(judge_trace("G18 G98 G01 Z-2 F200\n", trace.text()).kind, VerdictKind::fail_overrun)
+        << by;
+  }
+}
+
 TEST(RecordBudget, AnEndlessLineAwayIsStopped) {
   TraceText trace(1, 200);
   trace.rapid({{'x', 65}, {'z', 5}}).block(2, 200);

@@ -176,6 +176,16 @@ std::vector<Silent> running_on_a_lathe() {
        traverse(3, R"("x":"15")"),
        {AlarmClass::value_sign, AlarmClass::value_out_of_range},
        "GSK-COM-12"},
+      {"a motion beside G80, GSK",
+       "gsk988ta",
+       "G00 X10\nG80 G00 X20\nG00 X30\n",
+       2,
+       traverse(1, R"("x":"5")"),
+       traverse(2, R"("x":"7")"),
+       traverse(2, R"("x":"10")"),
+       traverse(3, R"("x":"15")"),
+       {AlarmClass::duplicate_word, AlarmClass::conflicting_words},
+       "GSK-MOD-10"},
       {"a speed below zero, HNC",
        "hnc21t",
        "G00 X10\nG00 X20 S-100\nG00 X30\n",
@@ -222,6 +232,30 @@ std::vector<Silent> running_on_by_rs274() {
        {AlarmClass::value_out_of_range, AlarmClass::value_sign, AlarmClass::not_an_integer,
         AlarmClass::missing_word},
        "NGC-COM-15"},
+      {"a dwell beside an arc",
+       "rs274",
+       "G21 G0 X10 F100\nG4 P2 G2 X20 I5\nG0 X30\nM2\n",
+       2,
+       traverse(1, R"("x":"10")"),
+       "",
+       R"({"k":"dwell","b":2,"s":"2"})"
+       "\n"
+       R"({"k":"arc","b":2,"plane":"G17","c":{"x":"15","y":"0"},"rot":-1,"to":{"x":"20","y":"0"},)"
+       R"("f":"100"})"
+       "\n",
+       traverse(3, R"("x":"30")"),
+       {AlarmClass::conflicting_words},
+       "NGC-G4-03"},
+      {"G53 alone",
+       "rs274",
+       "G21 G0 X10\nG53\nG0 X30\nM2\n",
+       2,
+       traverse(1, R"("x":"10")"),
+       "",
+       "",
+       traverse(3, R"("x":"30")"),
+       {AlarmClass::conflicting_words, AlarmClass::missing_word},
+       "NGC-OFS-20"},
   };
 }
 

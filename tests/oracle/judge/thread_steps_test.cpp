@@ -83,6 +83,20 @@ TEST(ThreadSteps, AMissingInfeedIsNoGo) {
            "infeed is missing");
 }
 
+TEST(ThreadSteps, AnInfeedOfTwoCutsBehindTheArcIsToldAsWhatItIs) {
+  // A millimetre into the material and back; and aside, no deeper than the pass.
+  is_no_go({.infeed =
+                [](TraceText& t) {
+                  t.feed({{'z', 16}}).feed({{'z', 17}});
+                }},
+           "The infeed goes deeper than its pass.");
+  is_no_go({.infeed =
+                [](TraceText& t) {
+                  t.feed({{'z', 17.5}, {'x', 0.3}}).feed({{'z', 17}, {'x', 0}});
+                }},
+           "The infeed is not one straight cut.");
+}
+
 TEST(ThreadSteps, AnInfeedByAnArcIsNoGo) {
   is_no_go({.infeed =
                 [](TraceText& t) {

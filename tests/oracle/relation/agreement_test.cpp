@@ -149,6 +149,17 @@ TEST(Agreement, NothingOfAPocketFollowsItsEnd) {
   EXPECT_EQ(milled(whole + rapid(R"("z":"10")") + rapid(R"("z":"-2")")), "NO-GO");
 }
 
+// SIE-LC75-13: no speed is printed for the way back to R101. There the cycle is over.
+TEST(Agreement, APocketIsLeftByATraverseOrAFeed) {
+  const std::string level = down_to("-3") + kBorder + kHome;
+  for (const std::string_view feed : {"100", "300", "500"}) {
+    const std::string up = line("feed", R"("z":"10")", feed);
+    EXPECT_EQ(milled(level + up), "GO") << feed;
+    EXPECT_EQ(milled(level + up + line("feed", R"("x":"1")", feed)), "NO-GO") << feed;
+  }
+  EXPECT_EQ(milled(level + line("feed", R"("z":"10.01")", "300")), "NO-GO");
+}
+
 // R2 ------------------------------------------------------------------------------------------
 
 constexpr std::string_view kMoved = R"({"k":"rapid","b":1,"to":{"x":"10","y":"0"}})"
@@ -268,6 +279,16 @@ TEST(Agreement, WhoRunsThroughAnAlarmMissesIt) {
   const std::string late = through + R"({"k":"alarm","b":3,"class":"value-sign"})";
   EXPECT_EQ(judge(kProgram, late, {.m = false}).kind, oracle::VerdictKind::fail_alarm_late);
   EXPECT_EQ(decide(kProgram, late, {.m = false}).kind, oracle::VerdictKind::fail_alarm_late);
+}
+
+// The alarm map has no class for it, so that nothing says that it is of another one.
+TEST(Agreement, AnAlarmWithoutAClassIsUnmapped) {
+  constexpr std::string_view kProgram = "G21 G90 F100\nG1 X10\nG1 Y10 F-1\nM2\n";
+  const std::string trace = R"({"k":"feed","b":2,"to":{"x":"10"},"f":"100"}
+{"k":"alarm","b":3,"native":"E7"}
+)";
+  EXPECT_EQ(judge(kProgram, trace, {.m = false}).kind, oracle::VerdictKind::unmapped_alarm);
+  EXPECT_EQ(decide(kProgram, trace, {.m = false}).kind, oracle::VerdictKind::unmapped_alarm);
 }
 
 // F0 leaves no feed, which is an alarm; whether the value is one, no text says (SIE-COM-06, R7).

@@ -84,6 +84,7 @@ oracle::Tolerances tolerances_of(const Declared& declared, const reference::Prof
   subject.resolution = number_of(declared.resolution);
   subject.feed_resolution = number_of(declared.feed_resolution);
   oracle::Grants grants;
+  grants.tolerance = number_of(declared.tolerance);
   grants.chord = number_of(declared.chord);
   grants.strict = declared.strict;
   oracle::Tolerances tolerances = make_tolerances(subject, profile, grants);

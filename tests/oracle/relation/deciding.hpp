@@ -38,7 +38,8 @@ struct Declared {
   std::string resolution = {};
   std::string feed_resolution = {};
   std::string chord = {};
-  bool at_load = false;  // alarm_timing = program
+  bool at_load = false;        // alarm_timing = program
+  std::string tolerance = {};  // granted, mm
 };
 // "GO", "NO-GO", "undecided" or "advice".
 inline std::string_view word(oracle::VerdictKind kind) {

@@ -12,21 +12,21 @@ namespace gonogo::oracle {
 
 using reference::Renaming;
 
-void Alignment::begin_open_step(Hypothesis& from) {
-  from.open = make_open_step(step_of(from), tolerances_, memory_);
+void Alignment::begin_free_step(Hypothesis& from) {
+  from.open = make_free_step(step_of(from), tolerances_, memory_);
 }
 
-void Alignment::meet_open_step(Hypothesis from, Motion motion, Stage& stage) {
+void Alignment::meet_free_step(Hypothesis from, Motion motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
   if (tolerances_.compare_blocks && motion.record.block > block_of(step.what)) {
-    return meet_behind_open_step(std::move(from), motion, stage);
+    return meet_behind_free_step(std::move(from), motion, stage);
   }
   if (from.waiting && join(*from.waiting, motion)) {
     from.at = from.anchor = motion.to();
     return keep(std::move(from), stage.reached);
   }
   const bool is_begun = from.open != nullptr;
-  if (!is_begun) begin_open_step(from);
+  if (!is_begun) begin_free_step(from);
   const bool is_earlier = tolerances_.compare_blocks && motion.record.block < block_of(step.what);
   const bool stays =
       stays_at(from.anchor, motion, tolerances_) || (!is_begun && ends_left(from, motion));
@@ -55,7 +55,7 @@ void Alignment::meet_open_step(Hypothesis from, Motion motion, Stage& stage) {
 }
 
 // With a motion of a later block the path has ended where the subject stands.
-void Alignment::meet_behind_open_step(Hypothesis from, const Motion& motion, Stage& stage) {
+void Alignment::meet_behind_free_step(Hypothesis from, const Motion& motion, Stage& stage) {
   std::vector<Hypothesis> reached;
   if (!from.waiting || take_waiting(from, reached)) {
     const Passing passing = pass(from);
@@ -76,21 +76,21 @@ bool Alignment::take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached)
   Motion motion = *std::exchange(from.waiting, std::nullopt);
   // A flat `arc3` is an arc by another name.
   if (motion.record.kind == RecordKind::arc3) motion = as_arc(motion).value_or(motion);
-  OpenStepAnswer answer = from.open->take(motion);
+  FreeStepAnswer answer = from.open->take(motion);
   if (answer.is_decided()) {
     if (!from.open->is_path_known()) answer.verdict.rule = RelationRule::free_step;
     refute(std::move(from), motion, std::move(answer.verdict));
     return false;
   }
-  const bool is_ended = answer.kind == OpenStepAnswer::Kind::ended;
+  const bool is_ended = answer.kind == FreeStepAnswer::Kind::ended;
   // J-CMP-09: a motion counts where a free step has taken it, or its first part.
   if (!is_ended || !agree(answer.here, motion.from, tolerances_.tolerance)) ++from.property_motions;
   if (!is_ended) {
-    if (answer.cost == OpenStepAnswer::Cost::free) ++forgiven_.records;
-    if (answer.cost == OpenStepAnswer::Cost::level_cut) ++forgiven_.level_cuts;
+    if (answer.cost == FreeStepAnswer::Cost::free) ++forgiven_.records;
+    if (answer.cost == FreeStepAnswer::Cost::level_cut) ++forgiven_.level_cuts;
     return true;
   }
-  if (!leave_open_step(from, answer.here)) return false;
+  if (!leave_free_step(from, answer.here)) return false;
   motion.from = answer.here;
   Stage stage;
   walk(std::move(from), std::move(motion), stage);
@@ -98,8 +98,8 @@ bool Alignment::take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached)
   return false;
 }
 
-bool Alignment::leave_open_step(Hypothesis& from, const Position& here) {
-  const OpenStep::Exit exit = from.open->exit(here);
+bool Alignment::leave_free_step(Hypothesis& from, const Position& here) {
+  const FreeStep::Exit exit = from.open->exit(here);
   if (!steps_.go_on_from(from.step, exit.at, exit.moves_machine)) {
     leave_undecided(from.step,
                     gap_verdict(GapReason::two_readings,
@@ -130,17 +130,17 @@ Alignment::Passing Alignment::pass(Hypothesis& from) {
     ++from.step;
     return {true};
   }
-  OpenStep* open = open_step_of(from);
+  FreeStep* open = free_step_of(from);
   if (open == nullptr) return {};
   if (std::optional<Verdict> why_not = open->end(from.at)) {
     if (!open->is_path_known()) why_not->rule = RelationRule::free_step;
     return {false, std::move(why_not)};
   }
-  return {leave_open_step(from, from.at)};
+  return {leave_free_step(from, from.at)};
 }
 
-OpenStep* Alignment::open_step_of(Hypothesis& from) {
-  if (!from.open) begin_open_step(from);
+FreeStep* Alignment::free_step_of(Hypothesis& from) {
+  if (!from.open) begin_free_step(from);
   return from.open.get();
 }
 
