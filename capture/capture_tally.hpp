@@ -21,9 +21,9 @@ class CaptureTally {
  public:
   // A case line of the results.
   void take(const std::string& line);
-  // The smallest of 1, 2, 5, 10, ... by 1e-4 mm that is above the noise by half of it, and at which
-  // nine of ten cases are GO whose path departs at no tolerance or at a coarser one only; nothing
-  // when there is none up to 1 mm.
+  // The smallest of 1, 2, 5, 10, ... by 1e-4 mm that is at least 1.5 times the noise, and at which
+  // nine of ten cases are GO, except those that no tolerance decides; nothing when there is none up
+  // to 1 mm.
   std::optional<reference::Number> suggested_tolerance() const;
   // Sentences for people, each a line; empty when no case was judged from samples.
   std::string text() const;

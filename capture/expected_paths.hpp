@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a program has to do, for the offline comparer: the pieces of the path with which samples
-// are compared, exact, under every combination of the readings that the program leaves open, and
+// What a program has to do, for the offline comparer: the exact pieces of the path with which
+// samples are compared, under every combination of the readings that the program leaves open, and
 // how it ends.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The manifest that `gonogo export` writes beside its programs, as far as it is needed to judge
-// what came back.
+// The manifest that `gonogo export` writes beside its programs: the part of it that the judge of
+// what came back needs.
 #pragma once
 
 #include <cstdint>

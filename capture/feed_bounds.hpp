@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What samples say of the feed of one motion: bounds. A sample lies somewhere in its tube and its
-// time within the resolution of the clock, so that the mean speed between two samples is known to
-// lie between two values. A motion speeds up and slows down, so
+// What samples show of the feed of one motion: bounds. A sample lies somewhere in its tube and its
+// time within the resolution of the clock, so that the mean speed between two samples lies between
+// two values. A motion speeds up and slows down, so
 //   too fast: a mean speed between two samples (neighbours, quarters of the middle half, the whole
 //             of the inside) whose lower bound is above the feed by more than was granted;
 //   too slow: the mean speed over the middle half of the inside of the motion has an upper bound

@@ -4,11 +4,10 @@
 // constant speed, and how far it stays away from the path there. Estimates for people and for the
 // question whether a tolerance can be judged at all; no verdict of GO depends on them.
 //
-// Samples are taken sixteen at a time, and a straight uniform motion is laid through each axis.
-// What is left over is noise where it changes sign as noise does (the squares of its differences
-// sum to more than its own squares); what is left over of an acceleration or an arc does not. Of
-// those sets, at rest and moving apart, the ones count whose scatter is at most twice that of the
-// lower quartile.
+// A straight uniform motion is laid through each axis of sixteen samples at a time. What is left
+// over is noise where it changes sign as noise does (the squares of its differences sum to more
+// than its own squares); what is left over of an acceleration or an arc does not. Of those sets, at
+// rest and moving apart, the ones count whose scatter is at most twice that of the lower quartile.
 #pragma once
 
 #include <array>

@@ -62,7 +62,7 @@ class PathPiece {
   bool has_feed() const { return has_feed_; }  // a path speed is programmed
   const Number& seconds() const { return motion_.record.seconds; }
   double time() const;  // s, the least that it takes
-  // The same of a sample, about, for estimates; mm.
+  // About the same for a sample, for estimates; mm.
   double off(const SamplePoint& sample) const;
   // How far a point lies from the piece, on the axis where it is most.
   Number deviation(const Position& point) const;

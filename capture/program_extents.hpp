@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a program takes the machine at most, and how fast: under every combination of the readings
-// that it leaves open.
+// How far, and how fast, a program takes the machine at most, under every combination of the
+// readings that it leaves open.
 #pragma once
 
 #include <optional>
@@ -23,9 +23,9 @@ struct Extents {
   bool not_covered = false;     // ... where the gauge stops reading
 };
 
-// The box of the start, every end and extreme point of the path; of paths that the manual leaves
-// open, of all that may be cleared too. Circles in space count whole. Nothing where the readings
-// have too many assignments. May throw exact::Undecided.
+// The box of the start, and of every end and extreme point of the path; where the manual leaves the
+// path open, also of all that may be cleared. Circles in space count whole. Nothing where the
+// readings have too many assignments. May throw exact::Undecided.
 std::optional<Extents> extents_of(const reference::Profile& profile, std::string_view program);
 
 }  // namespace gonogo::oracle

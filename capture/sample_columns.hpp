@@ -6,7 +6,7 @@
 //
 // names columns as the machine's log does; what is not named is skipped. A unit stands behind a
 // colon, or in brackets at the end of the column's own name: mm, in, deg, s, ms, us; `diameter` and
-// `in-diameter` say of X that it is measured across.
+// `in-diameter` say that X is measured across.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 
 namespace gonogo::oracle {
 
-// A number as a double, for estimates: at once for decimals of six places, which samples are.
+// A number as a double, for estimates: at once for six decimals, which samples have.
 inline double quick(const Number& value) {
   constexpr double kMillion = 1e6;
   using exact::NumberAccess;
@@ -28,8 +28,8 @@ struct SamplePoint {
   std::array<double, reference::kAxes> near{};
 };
 
-// How close a sample must come to the reference's path. What no arithmetic of this gauge decides is
-// taken against the machine (`strict`) or for it; only what holds both ways becomes a verdict.
+// How close a sample must come to the reference's path. What no arithmetic of this gauge decides
+// counts against the machine (`strict`) or for it; only what holds both ways becomes a verdict.
 struct Tube {
   Number tolerance;  // mm an axis
   double half = 0;   // the same

@@ -10,7 +10,7 @@
 //
 // Other names and units: sample_columns.hpp. Every number is an exact decimal and never passes
 // through binary floating point. Empty lines are skipped; CR LF and a byte order mark
-// are taken; so are lines without a time, each of which makes a hole. The first line tells what
+// are accepted; so are lines without a time, each of which makes a hole. The first line shows what
 // separates: a semicolon where it has one, else a tab, else the comma; where the comma does not
 // separate, it may stand for the point of a decimal.
 #pragma once
@@ -45,8 +45,8 @@ class SampleFault : public std::runtime_error {
 
 class SampleReader {
  public:
-  // Reads the header line: where columns are named, the first one that has that of the time.
-  // Throws SampleFault.
+  // Reads the header line: the first line, or, where columns are named, the first that has the
+  // column of the time. Throws SampleFault.
   explicit SampleReader(const std::string& path, const SampleColumns& columns = {});
   // The next sample; false after the last one. Throws SampleFault.
   bool next(Sample& sample);

@@ -18,7 +18,7 @@ class SampleRhythm {
  public:
   // s; the times of all samples, in their order.
   void add(double time);
-  // s; a quarter of the intervals is no longer. 0: there is none.
+  // s: a quarter of the intervals is no longer than this. 0: there are none.
   double usual() const { return quantile(4); }
   // s; an interval that is longer is a hole. `clock`: half a unit of the last decimal of the times.
   double limit(double clock) const;
@@ -38,7 +38,7 @@ class HoleWatch {
   HoleWatch(double usual, double limit) : usual_(usual), limit_(limit) {}
   // The next sample. `counts`: what came since the one before is of the program, of line `block`.
   void take(const Sample& sample, bool counts, std::uint64_t block);
-  // The last ones have no time.
+  // The last samples have no time.
   void end_in_hole() { note(before_ ? before_->text() + " s to the end" : "all of them"); }
   bool any() const { return count_ > 0; }
   const Number& longest() const { return longest_; }

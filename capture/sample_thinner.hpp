@@ -8,8 +8,9 @@
 
 namespace gonogo::oracle {
 
-// Samples as records for a drawing: traverses, which have no feed, from one to the next, each with the number of its sample
-// as "x-sample". What lies on the way between its neighbours within a thousandth is left out.
+// Samples as records for a drawing: traverses, which have no feed, from one to the next, each with
+// the number of its sample as "x-sample". A sample within a thousandth of the way between its
+// neighbours is left out.
 class SampleThinner {
  public:
   // `seen`: axes that have a column. `marked`: the sample that is kept in any case.
@@ -27,8 +28,8 @@ class SampleThinner {
   std::uint64_t header_lines_;
   std::optional<std::size_t> marked_;
   bool begun_ = false;
-  std::optional<Sample> last_;     // that was kept
-  std::vector<Sample> held_;       // since then
+  std::optional<Sample> last_;  // that was kept
+  std::vector<Sample> held_;    // since then
   std::vector<std::string> kept_;
 };
 

@@ -10,26 +10,24 @@
 //   machine that stands still with noise within the tolerance does not go back.) A traverse is
 //   monotone like that on each axis.
 // Blending (J-RUN-11). Where the certifier grants an allowance (--blend), a machine may cut
-// corners: samples
-//   that are farther from the path than the tolerance, but not by more than the allowance as well,
-//   are GO within twenty times the allowance, along the path, of the corner of two motions. A
-//   motion no longer than that may be rounded over as a whole.
+//   corners: samples that are farther from the path than the tolerance, but not by more than the
+//   allowance as well, are GO within twenty times the allowance, along the path, of the corner of
+//   two motions. A motion no longer than that may be rounded over as a whole.
 // Completeness. From one sample to the next the path goes on by no more than the programmed feeds
 //   allow in the time between them, the granted part of the feed and the resolution of the clock
 //   included; traverses, threads and feeds per revolution by no more than `fastest`. So each corner
 //   and extreme point has been visited within the tolerance and what one interval allows. Samples
 //   begin at the start position (after the approach of an exported program's own header) and end at
 //   the end of the path.
-//   A motion that lies whole between two samples, an end unseen too, is not checked, by one of the
-//   ways that the samples leave open: then the answer is oracle-gap, never a pass.
+//   A motion that lies whole between two samples, or whose end is unseen, may go unchecked by one
+//   of the ways that the samples leave open: then the answer is oracle-gap, never a pass.
 // Dwell. The machine may not have stood still for as long as programmed: less time lies between the
 //   last sample before and the first one after. How long it stood before the first sample is not
 //   known: where that decides, oracle-gap.
 // Feed. Bounds only, see feed_bounds.hpp. Feeds per revolution and threads are not compared.
-// Holes (J-RUN-11). Where more time passes between two samples than their rhythm has it, the
-// machine
-//   may have been anywhere: what would be GO is oracle-gap. What the rhythm itself does not show is
-//   told.
+// Holes (J-RUN-11). Where more time passes between two samples than in their rhythm, the
+//   machine may have been anywhere: what would be GO is oracle-gap. What the rhythm itself does not
+//   show is reported.
 // Open paths. Pocket levels, threads and helical pockets whose path the manual leaves open are not
 //   decided from samples: judged up to there, then oracle-gap.
 // Alarms. As for records: class, line, and that the motion before it is complete.
@@ -94,7 +92,7 @@ class SampledRun {
   const WorstSample& worst() const { return worst_; }
   // How far the last sample is from the path where the machine may be, about; mm.
   double off() const { return off_; }
-  // Why a GO would be none: the samples do not show all.
+  // Why it cannot be GO: the samples do not show all.
   GapReason not_shown() const {
     if (holes_.any()) return GapReason::samples_hole;
     return unseen_.empty() ? GapReason::none : GapReason::samples_rate;
@@ -157,7 +155,7 @@ class SampledRun {
   // The sample fits a piece that comes next or later, or one it stands on already.
   Verdict departure_towards(std::size_t later, const Sample& sample);
   Verdict departure_from_path(const Sample& sample);
-  // The piece that a sample fits, though it may not be there yet, or no more.
+  // The piece that a sample fits, though it may not be there yet, or no longer.
   std::optional<std::size_t> fits(const SamplePoint& point, std::size_t first, std::size_t count);
   Verdict verdict_at(VerdictKind kind, const PathPiece& piece, const std::string& message) const;
   Verdict feed_verdict(const PathPiece& piece, const FeedWatch::Fault& fault) const;

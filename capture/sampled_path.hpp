@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The reference's path piece by piece, pulled as far as the samples need it. Coordinates are those
-// in force at the start of the program throughout: a machine's own do not follow a renaming (G50).
+// The reference's path piece by piece, computed as far as the samples need it. All coordinates are
+// those in force at the start of the program: a machine's own do not follow a renaming (G50).
 #pragma once
 
 #include <deque>

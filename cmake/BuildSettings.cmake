@@ -50,7 +50,7 @@ if(GONOGO_SANITIZE)
   target_link_options(gonogo_build_settings INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What a fuzzer is told of: which branches the grammar, the reference and the expanders take, and in the
+# What a fuzzer sees: which branches the grammar, the reference and the expanders take, and in the
 # grammar, whose input is the fuzzer's text, what they compare with. The judge only follows the two
 # sides; what it takes of the counters says nothing new and costs as much again. So do the branches of
 # the exact numbers, which are taken hundreds of times a program.

@@ -49,7 +49,7 @@ const kIntegers = new Set(['b', 'rot', 'm']);
 const kPositions = new Set(['to', 'c', 'via']);
 const kWords = new Set(['plane', 'fm', 'clause']);
 
-/** The outcome of a program that the subject rejects. `native` is its own number or text. */
+/** The outcome of a program that the subject rejects. `native` is its own number or text; `b` the line. */
 export function alarm(native, { cls, b, word } = {}) {
   return { outcome: 'alarm',
     alarm: { native: String(native).slice(0, kLongestMessage), class: cls, b, word } };

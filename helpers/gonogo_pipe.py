@@ -47,7 +47,7 @@ class Subject:
     #: {dialect: [feature, ...]}; `gonogo spec --features` prints the vocabulary. None: nothing is
     #: declared, and what run() skips is not claimed.
     dialects = {}
-    #: "blocks" (records carry b), "m" (M functions are records), "bytes" (any bytes as program).
+    #: "blocks" (records and alarms carry b), "m" (M functions are records), "bytes" (any bytes as program).
     features = []
     #: Names of the readings that configure() knows; "*" for all. The others are never sent.
     readings = []
@@ -79,7 +79,7 @@ def alarm(native, cls=None, b=None, word=None):
     """The outcome of a program that the subject rejects.
 
     `native` is the subject's own number or text; `cls` the class if it is known, else the alarm map
-    decides; `b` the source line, 1-based.
+    decides; `b` the source line, 1-based, which a subject with the feature "blocks" has to give.
     """
     fields = {"native": str(native)[:1000], "class": cls, "b": b, "word": word}
     return {"outcome": "alarm", "alarm": {k: v for k, v in fields.items() if v is not None}}

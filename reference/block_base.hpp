@@ -58,15 +58,14 @@ struct BlockBase {
   void rename(const Position& to);
 
  private:
-  // A record to be written where it is put out, for copies of it cost more than all else of a
-  // block.
+  // A record to be filled in place: copies of it cost more than all else of a block.
   Record& put_record() { return std::get<Record>(out.items.emplace_back()); }
   void write_motion(Record& record, RecordKind kind, ClauseId clause,
                     std::initializer_list<AxisValue> to);
 };
 
-// What stands between programs, once a block has run: a second % ends the program, which `clause`
-// says, and the number of another one is not read. Whether the block is either.
+// Whether the block stands between programs, once a block has run: a second %, which ends the
+// program as `clause` says, or the number of another program, which is not read.
 bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_begun,
                     ClauseId clause, BlockOutput& out);
 
@@ -96,7 +95,7 @@ NotCovered construct_outside(const grammar::Block& block, std::uint64_t line);
 
 // The last M function of the 840D, and the last that a record holds; above it any control alarms.
 inline constexpr std::int64_t kLargestM = 2'147'483'647;
-// Up to this one every control of its kind has them; no text says where its own end.
+// Every control of its kind has M functions up to this number; no text says where its own end.
 inline constexpr std::int64_t kLastCommonM = 9'999;
 
 // The M functions of a block are passed on: those that stop or end something after the motion, the

@@ -22,8 +22,8 @@ const Clause& clause(ClauseId id);
 std::string_view clause_name(ClauseId id);  // "" for kNoClause
 // Whether no text states what the clause says; false for kNoClause.
 bool is_silent(ClauseId id);
-// What a subject may do there that answers its question the other way, beside running on where it
-// is an alarm (docs/judging.md, R7); empty: the catalog names nothing.
+// What a subject may do there as the other answer to the clause's question, besides running on
+// where that is an alarm (docs/relation.md, R7); empty: the catalog names nothing.
 std::string other_answer(const Clause& clause);
 std::string_view name(ClauseLevel level);
 std::string_view name(Basis basis);

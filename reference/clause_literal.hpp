@@ -33,15 +33,19 @@ consteval auto joined(const First& first, const More&... more) {
   return all;
 }
 
-// With what they rest on where the level alone does not say it.
+// The same with their basis where the level alone does not give it.
 template <typename Catalog>
 consteval Catalog resting(Catalog all) {
+  // Both tables have the same order for the most part: each search begins where the last one ended,
+  // because a compiler allows only so many steps.
+  std::size_t place = 0;
   for (const ClauseBasis& basis : kBases) {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const Clause& clause) { return clause.id == basis.id; });
-    if (found == all.end()) throw "no such clause in the catalog";
-    found->stated_basis = Basis::derived;
-    found->derivation = basis.derivation;
+    for (std::size_t tried = 0; all[place].id != basis.id; ++tried) {
+      if (tried == all.size()) throw "no such clause in the catalog";
+      place = (place + 1) % all.size();
+    }
+    all[place].stated_basis = Basis::derived;
+    all[place].derivation = basis.derivation;
   }
   return all;
 }

@@ -31,7 +31,7 @@ struct Dialect {
   std::span<const std::string_view> parameters;  // and of machine parameters
   void (*power_on)(Profile& profile);            // sets what is not Profile's own default
   std::string_view outside_constructs;           // for people: what else is not covered
-  // Of a block that would be read in capitals, which no text asks for.
+  // The clause of a block that would be read in capitals; no text asks for that.
   ClauseId lower_case_clause = kNoClause;
 };
 

@@ -134,18 +134,18 @@ class Expander {
     return touched;
   }
   // Behind an end that no text states (its clause says so): `next` goes on with the line behind it,
-  // as on a control that passes the mark over. REQUIRES: the last item was such an end.
+  // as a control does that ignores the mark. REQUIRES: the last item was such an end.
   void go_past_end() {
     ended_ = out_.program_end = false;
     out_.end_clause = kNoClause;
   }
-  // Whether lines have come in their order, and go on so.
+  // Whether lines have come in their order, and will.
   bool is_in_order() const { return !interpreter_->may_repeat_lines(); }
   // Gets every warning, with its line. A judge does without.
   using WarningSink = std::function<void(const Warning&, const grammar::Line&)>;
   void on_warning(WarningSink sink) { warn_ = std::move(sink); }
-  // Gets every block that runs on by a rule that no text states, with that clause: a control
-  // that alarms there breaks no text (docs/judging.md, R7).
+  // Gets every block that runs on by a rule that no text states, with that clause: a control that
+  // alarms there breaks no text (docs/relation.md, R7).
   using AcceptanceSink = std::function<void(std::uint64_t block, ClauseId clause)>;
   void on_acceptance(AcceptanceSink sink) {
     accept_ = std::move(sink);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What somebody meant who wrote a word that is not known.
+// Which word somebody meant who wrote an unknown one.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace gonogo::reference {
 // The known word that is nearest to the one written, in large or small letters; empty: none is
 // near.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
-// "Did you mean taper-sign? "; nothing of nothing.
+// "Did you mean taper-sign? "; empty for an empty word.
 std::string did_you_mean(const std::string& word);
 
 }  // namespace gonogo::reference

@@ -17,14 +17,14 @@ namespace gonogo::reference {
 
 // What was decided, for the observer. Both hold until `note` returns.
 struct Decision {
-  // `what` is an expression with the letters of the words, "L - 2 D". kNoClause: it is one of the
-  // geometry that several clauses stand on.
+  // `what` is an expression with the letters of the words, "L - 2 D". kNoClause: the decision is
+  // one of the geometry on which several clauses stand.
   ClauseId clause = kNoClause;
   std::string_view what;
   int sign = 0;  // of the expression: -1, 0 or 1
   Number value;  // of the expression; of roots it is 0
-  // Lengths of which the squares alone are known, um^2, so many times each: the expression is the
-  // size of the sum of the first two, and the third.
+  // Lengths whose squares alone are known, um^2, each with its factor. The expression is the size
+  // of the sum of the first two, plus the third.
   struct Root {
     int factor = 0;
     Number square;
@@ -32,8 +32,8 @@ struct Decision {
   std::array<Root, 3> roots{};
 };
 
-// Takes the reference's decisions in its own thread, while it lives; the one that was made last
-// where several live. Those live as on a stack.
+// Takes the reference's decisions in its own thread, while it lives. Several live as on a stack:
+// the one that was made last takes the decisions.
 class DecisionWatch {
  public:
   DecisionWatch();

@@ -76,7 +76,7 @@ ProfileResult profile_from_toml(std::string_view text, std::string_view unnamed 
 ProfileResult profile_from_json(std::string_view text, std::string_view unnamed = kUnnamedDialect);
 // Where a key of a profile stands: {"initial", "f"}, {"readings", "ngc.arc-tolerance"}.
 using ProfileKey = std::vector<std::string>;
-// The keys that the text has, also those that say what is so by default. REQUIRES: it is a profile.
+// The keys that the text has, those that repeat a default too. REQUIRES: it is a profile.
 std::vector<ProfileKey> keys_of_toml(std::string_view text);
 std::vector<ProfileKey> keys_of_json(std::string_view text);
 // The power-on state of a dialect; an error for an unknown one.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers beyond the range of any machine. A control refuses them, each from a bound of its own,
-// and apart from GSK's table for the milling cycles no manual says from which: the gauge cannot
-// say what is right there.
+// Numbers beyond the range of any machine. Each control refuses them from a bound of its own, and
+// no manual states it, except GSK's table for the milling cycles: the gauge cannot say what is
+// right there.
 #pragma once
 
 #include "grammar/ast.hpp"
@@ -15,7 +15,8 @@ namespace gonogo::reference {
 bool is_beyond_range(const grammar::Decimal& value);
 bool is_beyond_range(const Number& value);
 
-// The first word whose number is; codes, functions, tools and the like have no length. Null: none.
+// The first word with such a number; codes, functions, tools and the like have no length. Null:
+// none.
 const grammar::Word* word_beyond_range(const grammar::Block& block);
 
 // Whether an axis stands 100 km or more away. What is only enclosed counts as near.

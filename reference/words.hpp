@@ -52,7 +52,7 @@ class WordPlaces {
   ~WordPlaces() = default;
 };
 
-// What words have for a value that no decimal says, in the order of the block's words.
+// The values of words that no decimal expresses, in the order of the block's words.
 using WordValues = std::vector<std::optional<Number>>;
 
 // The last word of an address that stands several times.

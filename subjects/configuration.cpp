@@ -18,7 +18,8 @@ Told told(const SubjectInfo& info, const reference::Profile& profile, const Stat
     if (!is_asked || value == machine.readings.get(reading.key)) continue;
     told.silent = RunEnd::of(
         RunEnd::Kind::refused,
-        fmt::format("The subject does not say that it knows the reading {}; it cannot be told {}.",
+        fmt::format("The subject does not say that it knows the reading {}; it cannot be set to "
+                    "{}.",
                     reading.name, value));
   }
   return told;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The machine that a subject gets.
+// The machine that a subject is asked to be.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What ends the subjects of a gauge that was killed: nothing else is left to do so where there is
-// no sandbox.
+// Ends the subjects of a gauge that was killed: without a sandbox nothing else does.
 #pragma once
 
 #include <string>

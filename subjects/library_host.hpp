@@ -26,7 +26,7 @@ class LibraryHost {
   LibraryHost(LibraryHost&&) noexcept;
   ~LibraryHost();
 
-  // Answers until `stop`, the end of the input, or nobody reads the output any more.
+  // Answers until `stop`, until the input ends, or until nobody reads the output any more.
   void serve();
 
   // The reply to `start`: the library's description with the host's window.

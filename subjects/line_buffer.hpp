@@ -23,7 +23,7 @@ class LineBuffer {
   std::optional<std::string_view> next();
   // After `next` gave nothing: the line that is coming is longer than allowed.
   bool too_long() const { return too_long_ || (searched_ == end_ && end_ - begin_ > longest_); }
-  // How many are there to be taken.
+  // How many whole lines can be taken.
   std::size_t whole_lines() const;
   // What came after the last whole line that was taken.
   std::string_view rest() const { return {bytes_.data() + begin_, end_ - begin_}; }

@@ -39,12 +39,12 @@ struct Limits {
   std::chrono::milliseconds start{10'000};
   std::chrono::milliseconds run{2'000};
   std::size_t line_bytes = std::size_t{64} << 20;
-  // Read behind what the sink takes, to see whether the run ends as a skip (J-RUN-05).
+  // Bytes that are read after the sink has stopped: the run may end as a skip (J-RUN-05).
   std::size_t further_bytes = std::size_t{1} << 20;
   std::size_t memory_bytes = std::size_t{2} << 30;
   std::size_t processes = 512;  // at once, of the subject and all that it starts
   int restarts = 10;            // in a row
-  // Names of variables that the subject is given besides those that every one is.
+  // Names of variables that the subject gets besides those that every subject gets.
   std::vector<std::string> environment;
   Sandbox sandbox;
   bool show_ids = false;  // a subject behind a pipe gets the names of the cases

@@ -28,8 +28,8 @@ class PipeSession {
   void send_run(std::string_view id, std::string_view program);
   std::size_t open_runs() const { return open_.size(); }
   // The reply to the first of the open runs. Its time begins with the call: when it was sent, or
-  // when the reply to its predecessor had been read; of replies that came together each is given
-  // its part of the time. REQUIRES: open_runs() > 0
+  // when the reply to its predecessor had been read. Replies that came together share the time
+  // equally. REQUIRES: open_runs() > 0
   RunEnd receive_run(const RecordSink& sink);
   // For the runs from now on.
   void set_run_limit(std::chrono::milliseconds limit) { limits_.run = limit; }

@@ -43,12 +43,12 @@ struct Ending {
   bool by_itself = false;  // false: it was killed here
   int code = 0;
   int signal = 0;
-  // By a signal, or with what a shell and a sandbox make of one.
+  // Whether a signal ended it, or the exit code with which a shell or a sandbox reports one.
   bool broke_down() const { return by_itself && (signal != 0 || code > 128); }
   std::string text() const;  // "exited with 7", "exited with 134, signal 6 (Aborted)"
 };
 
-// Takes nothing of what has come.
+// Drops what has come.
 inline bool drop(LineBuffer& output) {
   output.clear();
   return true;
@@ -82,7 +82,7 @@ class Process {
 
   // Moves bytes until something happens.
   Event pump(LineBuffer& output);
-  // Moves bytes until it has exited or has to be killed, or `take`, which is given what has come,
+  // Moves bytes until it has exited or has to be killed, or until `take`, which gets what has come,
   // wants no more.
   Event pump_to_end(LineBuffer& output, const std::function<bool(LineBuffer&)>& take);
 

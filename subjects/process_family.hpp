@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The processes of a subject: the first one, what descends from it, and what has left it. This
-// program is made the parent of orphans, so that none gets out of its sight or outlives it.
+// The processes of a subject: the first one, its descendants, and those that have left it. This
+// program becomes the parent of orphans, so that none escapes or outlives it.
 #pragma once
 
 #include <sys/types.h>
@@ -17,8 +17,8 @@ namespace gonogo::oracle {
 // into the group, if there is one.
 pid_t begin_family(const std::function<pid_t(const ControlGroup&)>& spawn, ControlGroup group);
 
-// Memory that it and all that came of it hold now, and how many processes they are. What has left
-// both its parent and the session counts for every subject: its owner is unknown.
+// The memory that it and all its descendants hold now, and how many processes they are. What has
+// left both its parent and the session counts for every subject: its owner is unknown.
 struct FamilySize {
   std::size_t resident_bytes = 0;
   std::size_t processes = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How fast the replies of a subject come that is sent programs ahead, and how long they may gather
-// before the next look at its output: a look for each of them wakes a thread and costs subject and
-// runner as much as a short program does.
+// How fast the replies of a subject come to which programs are sent ahead, and how long they may
+// gather before the next look at its output: to look for each of them wakes a thread, and costs
+// subject and runner as much as a short program does.
 #pragma once
 
 #include <chrono>

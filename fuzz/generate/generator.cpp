@@ -35,8 +35,10 @@ GeneratedProgram write_sinumerik(Choices& choices, const GeneratorSettings& sett
 }
 
 // For offsets, parameters, expressions and O words.
-constexpr auto kUnaskedByNgc = std::to_array({"ngc.g92-other-axes"_key, "ngc.equal"_key,
-                                              "ngc.sign-of-value"_key, "ngc.call-parameters"_key});
+constexpr auto kUnaskedByNgc =
+    std::to_array({"ngc.g92-other-axes"_key, "ngc.g28-axes"_key, "ngc.g10-p0"_key,
+                   "ngc.g43-without-h"_key, "ngc.logic-order"_key, "ngc.equal"_key,
+                   "ngc.sign-of-value"_key, "ngc.call-parameters"_key, "ngc.m98-before"_key});
 
 // The expanders have one outcome of these.
 constexpr auto kOneOfGsk =

@@ -197,9 +197,9 @@ std::string matrix_markdown(const std::vector<MatrixRow>& rows,
       "- reached: its line ran\n"
       "- triggered: an answer differs from that of the same expander without the fault\n"
       "- killed: the method said so, and s the seconds until then, without those of counting\n\n"
-      "What is reached and not triggered needs other programs, what is triggered and not killed "
-      "another judge: or the\ndifference is one that no text forbids, or that the method cannot "
-      "see.\n\n";
+      "A fault that is reached but not triggered needs other programs; one that is triggered but\n"
+      "not killed needs another judge: or the difference is one that no text forbids, or that the\n"
+      "method cannot see.\n\n";
   for (const Method method : methods) {
     text += fmt::format("{}: {}.  \n", name(method), summary_text(rows, method));
   }

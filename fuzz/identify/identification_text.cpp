@@ -60,17 +60,19 @@ void append_contradiction(const Identification& found, std::string& out) {
   out += "The subject follows no readings consistently.\n";
   const auto& those = found.contradiction;
   const std::string& last = found.runs[those.front()].probe->id;
-  if (those.size() == 1) {
-    out += fmt::format("  What it does in program {}, {}, departs under every reading.\n",
-                       those.front() + 1, last);
-    return;
-  }
   out += fmt::format("  What it does in program {}, {}, contradicts", those.front() + 1, last);
   for (std::size_t i = 1; i < those.size(); ++i) {
     out += fmt::format("{} program {}, {}", i == 1 ? "" : " together with", those[i] + 1,
                        found.runs[those[i]].probe->id);
   }
   out += ": no one combination of readings explains them all.\n";
+}
+
+void append_aside(const Identification& found, std::string& out) {
+  for (const std::size_t run : found.aside) {
+    out += fmt::format("Program {}, {}, departs under every reading: a fault, and no reading.\n",
+                       run + 1, found.runs[run].probe->id);
+  }
 }
 
 // A value as TOML has it; what profile_json writes.
@@ -103,6 +105,7 @@ std::string identification_text(const Identification& found, std::string_view su
   if (found.is_thin()) {
     out += "Most of the programs had no answer: what follows is not what the subject does.\n";
   }
+  append_aside(found, out);
   if (!found.contradiction.empty()) {
     append_contradiction(found, out);
     return out;

@@ -194,6 +194,10 @@ Identifier::Item* Identifier::best_item() {
 bool Identifier::strike(Item& item) {
   const Outcomes& outcomes = item.probe->by_reading;
   std::vector<PartialAssignment> left = explaining(item, outcomes);
+  if (left.empty()) {
+    found_.aside.push_back(*item.run);
+    return true;
+  }
   ProbeRun& run = found_.runs[*item.run];
   std::map<ReadingKey, std::vector<ReadingValue>> before;
   for (const ReadingKey key : outcomes.keys) before[key] = choices_.values(key);
@@ -256,6 +260,7 @@ void Identifier::find_choices() {
 // Judges all runs once more: under the properties that have been found, outcomes can be
 // distinguished that were one before.
 void Identifier::judge_runs_again() {
+  found_.aside.clear();
   for (Item& item : items_) {
     item.checked = false;
     for (std::size_t i = 0; i < item.outcome.size(); ++i) {

@@ -40,6 +40,8 @@ struct Identification {
   // No combination explains these runs together: the last one and what it contradicts, if any one
   // does. Empty: the subject follows what `readings` says.
   std::vector<std::size_t> contradiction;  // places in `runs`
+  // Departures under every reading: faults, which say nothing of the readings.
+  std::vector<std::size_t> aside;  // places in `runs`
   // How its coordinates are rounded in the runs that are GO under what was found.
   oracle::RoundingCensus coordinates;
   double bits = 0;  // log2 of the number of combinations at the beginning

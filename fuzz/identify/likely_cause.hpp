@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A mistake that is named as the cause of departures, with what it explains of those that were
-// tried: told in the same words of a run and of a hunt.
+// tried; a run and a hunt say it in the same words.
 #pragma once
 
 #include <set>

@@ -99,7 +99,7 @@ Ways ways_of(const Position& from, const Record& record) {
   return ways;
 }
 
-// Of places with roots, which no thread of a corpus goes between: as if along the longest axis.
+// Between places with roots the longest axis counts: no thread of a corpus goes there.
 Number length_of(const Ways& ways) {
   Number square;
   for (const Number& way : ways.along) square += way * way;
@@ -184,7 +184,9 @@ bool has_words(const TextBlock& block, const reference::Code& code) {
 std::optional<ChangedRun> with_turns_kept(const Observation& seen) {
   const ProgramText program(seen.profile, seen.program);
   const reference::Code* const adds = adding_turn(*program.table);
-  const bool keeps = seen.profile.readings.is("sie.g158=additive"_reading);
+  const reference::ReadingChoice& readings = seen.profile.readings;
+  const bool keeps =
+      readings.is("sie.g158=additive"_reading) || readings.is("sie.g158=translation-only"_reading);
   ChangedRun trial{{}, seen.profile, seen.outcome, std::nullopt};
   Number angle;
   std::uint64_t line = 0;

@@ -14,7 +14,7 @@ bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-// Of rs274 (NGC-POL-01).
+// Only rs274 has them (NGC-POL-01).
 bool is_polar_address(char c) {
   return c == '@' || c == '^';
 }

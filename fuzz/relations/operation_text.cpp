@@ -168,10 +168,14 @@ class Writer {
     line("G0{}", place(operation.start));
     const std::string_view word =
         operation.kind == OperationKind::face ? words_.face_taper : words_.turn_taper;
-    const std::string taper = operation.taper.sign() == 0
-                                  ? std::string()
-                                  : fmt::format(" {}{}", word, operation.taper.text());
-    line("{}{}{}{}", pass_code(words_, operation.kind), place(operation.end), taper, feed_);
+    const std::string_view code = pass_code(words_, operation.kind);
+    // hnc.modal.words: that of the last cycle may be in force again, if it was the same cycle.
+    const bool is_tapered = operation.taper.sign() != 0;
+    const bool is_written = is_tapered || (code == tapered_ && words_.dialect == "hnc21t");
+    tapered_ = is_tapered ? code : std::string_view();
+    const std::string taper =
+        is_written ? fmt::format(" {}{}", word, operation.taper.text()) : std::string();
+    line("{}{}{}{}", code, place(operation.end), taper, feed_);
     line("G0{}", place(operation.start));
   }
 
@@ -217,6 +221,7 @@ class Writer {
   const Words& words_;
   const bool is_mill_;
   const bool has_cycles_;
+  std::string_view tapered_;  // code of the last cycle, if it had a taper
   std::string feed_;
   std::string text_;
 };

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "reference/dialect.hpp"
 #include "fuzz/relations/related_lines.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::relations {
 namespace {
@@ -186,6 +186,14 @@ bool is_bare_g(const TextWord& word) {
   return word.text == "G" || word.text == "g";
 }
 
+// SIE-FRM-06: whether an increment goes the translation, too, is open.
+bool has_increments(const ProgramText& text) {
+  const auto adds = [](const TextWord& word) { return value_text(word).starts_with("IC"); };
+  return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
+    return block.modes.incremental || std::ranges::any_of(block.words, adds);
+  });
+}
+
 std::optional<Related> translated_by_frame(const generate::GeneratedProgram& program,
                                            const Code& frame) {
   const ProgramText text(program.profile, program.text);
@@ -193,6 +201,11 @@ std::optional<Related> translated_by_frame(const generate::GeneratedProgram& pro
     return std::ranges::any_of(block.words, is_bare_g);
   });
   if (has_bare_g || any_code(text, moves_frame)) return std::nullopt;
+  const auto calls_cycle = [](const Code& code) { return code.kind == Kind::cycle; };
+  if (has_increments(text)) {
+    // The levels of a cycle are parameters, which stay.
+    return any_code(text, calls_cycle) ? std::nullopt : translated_words(program);
+  }
   std::string block(frame.name);
   for (std::size_t axis = 0; axis < kInches.size(); ++axis) {
     block += std::string(" ") + "XYZ"[axis] +

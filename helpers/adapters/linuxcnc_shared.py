@@ -23,7 +23,7 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
      r"after O-word|Left bracket missing|Too many subroutine parameters|Unclosed expression|"
      r"Slash missing after first atan", "syntax"),
     (r"Unknown [gm] code used|Negative g code used|G.code out of range|M.code greater than \d+", "undefined-code"),
-    (r"sub: o.* found in illegal location", "syntax"),
+    (r"sub: o.* found in illegal location|^EOF in file.* seeking o-word", "syntax"),
     (r"Line number greater than|Command too long", "syntax"),
     (r"Multiple \S+ words on one line|Two [gm] codes used from same modal group|"
      r"Too many m codes on line", "duplicate-word"),
@@ -77,7 +77,9 @@ READINGS = {"readings.ngc." + name: lambda value, own=own: value in (own, "any")
                 "g83.return": "rapid", "peck.clearance": "ten-thou", "peck.d": "barred",
                 "peck.dwell": "none", "g73.end": "clear", "g85.out": "r-plane", "tap.p": "last",
                 "g74.l": "barred", "g33.k": "free", "g76.checks": "linuxcnc",
-                "g92-other-axes": "kept", "equal": "ten-thousandth", "call-parameters": "zero",
+                "g92-other-axes": "kept", "g28-axes": "named", "g10-p0": "in-force",
+                "g43-without-h": "loaded", "logic-order": "last", "equal": "ten-thousandth",
+                "call-parameters": "zero",
                 "missing-tool": "alarm", "g94-feed": "none", "feed-units": "before",
                 "lone-cr": "blank", "alarm-dwell": "dwells", "sign-of-value": "taken", "g76.slide": "start", "g76.entry": "thread"}.items()}
 

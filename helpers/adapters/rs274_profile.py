@@ -32,7 +32,7 @@ def anything(_value):
     return True
 
 
-#: Those of which a value in _HARMLESS may be told.
+#: Readings whose value in _HARMLESS may be reported.
 LOOKED_AT = ["ngc.unused-words", "ngc.program-end"]
 
 _HARMLESS = {

@@ -39,8 +39,8 @@ struct Examples {
   std::vector<AlarmExample> alarms;
 };
 
-// The example files that the page of a dialect shows, one for most. A later dialect that has what
-// an earlier one has refers to the page of that one.
+// The example files that the page of a dialect shows, one for most dialects. A later dialect that
+// shares something with an earlier one refers to the page of that one.
 std::vector<Examples> examples_of(std::string_view dialect);
 
 }  // namespace gonogo::oracle::manual

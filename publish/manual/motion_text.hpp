@@ -21,7 +21,7 @@ class MotionTexts {
   explicit MotionTexts(const reference::Position& start) : at_(start) {}
 
   std::string next(const reference::Record& record);
-  // A record that is not told.
+  // A record that has no text.
   void pass(const reference::Record& record);
   // The place where the machine stands has another name: new less old coordinate.
   void rename(const reference::Position& shift);

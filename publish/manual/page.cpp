@@ -81,7 +81,7 @@ void append_head(PageDraft& page, const std::vector<Section>& sections) {
       "**Texts**: {2}.\n\n"
       "**At power-on**: {3}.\n\n"
       "**Clauses** are what the manual says, one thing each: `must` stands in the text, `derived` "
-      "follows from it, `open` is left open by it and settled here. The **basis** is what a "
+      "follows from it, `open` is left open by it and decided here. The **basis** is what a "
       "departure departs from: `text`, the section above the table; `derived`, with its "
       "derivation; "
       "`silent`, no text but our judgement, from which a departure is an advice and no NO-GO. "

@@ -40,7 +40,7 @@ std::string results(const SiteView& site) {
   std::string rows;
   for (std::size_t i = 0; i < site.gathered->runs.size(); ++i) rows += results_row(site, i);
   return key_of_bars() + table("results-table", head, rows) +
-         "<p class=\"note\">GO of a run with known departures is GO save for those. Causes: the "
+         "<p class=\"note\">GO of a run with known departures is GO except for those. Causes: the "
          "reasons that its file of known failures gives. Answered: GO or departed; what was "
          "skipped or is undecided counts neither way.</p>\n";
 }

@@ -19,7 +19,7 @@ struct SiteOptions {
 };
 
 // Writes index.html and its pages, site.json, summary.md and runs/STEM/index.html; returns what
-// they tell. They are put in place only when all of them are whole: until then what lies there is
+// they report. They are put in place only when all of them are whole: until then what lies there is
 // untouched, and a page of another kind is never written over. The same results give the same
 // bytes, in any order. Throws SiteError, ResultsError, std::system_error.
 Gathered write_site(const SiteOptions& options);

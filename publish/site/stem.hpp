@@ -7,7 +7,7 @@
 namespace gonogo::oracle::site {
 
 // A title as the name of a folder and a part of an address: letters in lower case, digits, dots and
-// hyphens; "run" where nothing of it can be kept.
+// hyphens; "run" where none of these is left.
 inline std::string folder_stem(std::string_view title) {
   constexpr std::size_t kLongest = 60;
   std::string stem;

@@ -14,7 +14,8 @@
 
 namespace gonogo::oracle::site {
 
-// How those voted that answered a case: GO or a departure. Skipped and undecided ones have none.
+// How the implementations voted that answered a case: GO or a departure. Skipped and undecided ones
+// have no vote.
 enum class Ballot : std::uint8_t {
   agreed,    // all with the reference
   lone,      // one departs, others do not
@@ -78,9 +79,9 @@ class Votes {
   std::map<std::pair<std::size_t, std::size_t>, Pair> pairs_;
 };
 
-// What makes departures of one case equal: from which clause, and by how much to 0.001 mm, since
-// subjects round; where nothing is measured, what the subject did there. Not how it names its
-// alarm, nor source lines, which not every subject knows.
+// Departures of one case are equal if they are from one clause, by the same amount to 0.001 mm,
+// since subjects round; where nothing is measured, if the subject did the same there. The name of
+// an alarm does not count, nor do source lines, which not every subject knows.
 std::string departure_text(const CaseHead& line);
 
 }  // namespace gonogo::oracle::site

@@ -47,8 +47,8 @@ std::string pairs(const SiteView& site) {
     }
     rows += "</tr>\n";
   }
-  return "<p class=\"note\">Of the cases that both answered, those with the same answer, and how "
-         "many of them are against the reference.</p>\n" +
+  return "<p class=\"note\">Cases that both answered alike, and how many of them are against "
+         "the reference.</p>\n" +
          table("pair-table", head, rows);
 }
 

@@ -71,7 +71,9 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
      "cannot."},
     {"GSK-G114-16",
      "Note 1 of G110 and G112, of the same chapter: all axes but the milling axis are positioned."},
-    {"GSK-COM-01", "A code whose word is missing does not say what to do."},
+    {"GSK-COM-01",
+     "A code whose word is missing does not say what to do; of an arc it holds as the reading says "
+     "that the profile chooses."},
     {"GSK-COM-02",
      "The manual lists the codes and the form of a block: what is outside commands nothing that a "
      "control could carry out."},
@@ -79,7 +81,7 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"GSK-COM-04", "F is the speed of a cut: without one the cut has none."},
     {"GSK-COM-05",
      "The chapters on the basic codes, where those of the 988TA were not at hand those of the "
-     "980TDi; parameter 3410 for the radii of an arc."},
+     "980TDi; parameters 3410 and 3403#4 for the radii of an arc."},
     {"GSK-COM-06", "The tables of ranges stand with the words of a cycle, and for them."},
     {"GSK-COM-07",
      "Parameter 3403#6 allows both; it holds as the profile chooses by the parameter or the "
@@ -93,8 +95,8 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
      "R leads from the initial plane, where the tool is when the cycle is entered, and each pocket "
      "ends there."},
     {"GSK-MOD-06",
-     "The list of the codes has G80 in group 01, and a modal code holds until another of its "
-     "group."},
+     "Every list of the codes has G80 for the end of a cycle, one in group 01 and one in the group "
+     "of the drilling cycles; it holds as the reading says that the profile chooses."},
     {"GSK-MOD-08", "Note 2 of G94, with the list of the codes of group 00."},
 
     {"HNC-G80-01",
@@ -110,8 +112,12 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
      "C counts starts, so it is whole and not below zero; P is the angle between adjacent "
      "starts."},
     {"HNC-G82-07", "The format prints F/J: one lead, in one of two units."},
+    {"HNC-G82-10",
+     "Q is said to be of the run-out, and to come with the versions 7.11 and 4.03: an older control "
+     "has no such word."},
     {"HNC-G74-02",
      "The letters of the path of way 1 in G75: five pecks and four withdrawals, then out."},
+    {"HNC-G74-03", "The letters of the path of way 2: A B A."},
     {"HNC-G74-05", "Way 1 has both words, way 2 goes down in one for any depth of a peck."},
     {"HNC-G75-02", "The letters of the path of way 1: five pecks and four withdrawals, then out."},
     {"HNC-G75-03", "The letters of the path of way 2: A B A."},
@@ -200,6 +206,7 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"SIE-CT-02", "The chapter on CT: the last path element, its projection, and a helix."},
     {"SIE-POL-01", "The chapter on polar coordinates."},
     {"SIE-POL-02", "The chapter on polar coordinates: ranges, and how long AP and RP hold."},
+    {"SIE-POL-04", kAsChosen},
     {"SIE-MOD-02", "The lists of codes, of the initial settings and of the M functions."},
     {"SIE-MOD-03", "The chapter on the dwell: F seconds or S revolutions, in a block of its own."},
     {"SIE-MOD-04", "The chapter on G70 and G71: what is converted and what is not."},
@@ -215,11 +222,14 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"SIE-FRM-02", "ROT and AROT of the successor; the example's comments: rotate, rotate on."},
     {"SIE-FRM-03", kAsChosen},
     {"SIE-FRM-04", "Statements of frames need a block of their own on the successor."},
+    {"SIE-FRM-06", kAsChosen},
     {"SIE-LC82-01", "The example, and the same cycle of the successor: CYCLE82."},
     {"SIE-LC82-02",
      "From the retract plane the tool comes down to the reference plane, and drills down from "
      "there."},
-    {"SIE-LC82-03", "Drilling is a cut; a cut without F has no speed."},
+    {"SIE-LC82-03",
+     "Drilling is a cut; a cut without F has no speed. What is modal holds until another of its "
+     "group."},
     {"SIE-LC75-06", kAsChosen},
     {"SIE-LC75-08", "What is cut is what a disc of the tool's radius reaches inside the pocket."},
     {"SIE-LC75-09",
@@ -228,6 +238,7 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"SIE-LC75-10", "What is cut is what a disc of the tool's radius reaches inside the pocket."},
     {"SIE-LC75-12", "G2 or G3 is the way round the pocket, which only its border shows."},
     {"SIE-LC75-13", "G0 to the centre from any place, and back to it at the end."},
+    {"SIE-LC75-14", kAsChosen},
 });
 
 }  // namespace gonogo::reference::catalog

@@ -43,7 +43,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "point and R.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-G94-08", must, kG94,
-     "A word for an axis outside the plane in a block of the cycle is an alarm.",
+     "A word for an axis outside the plane in a block of the cycle is an alarm; one that moves "
+     "nothing is one, too, or ignored.",
      "reference/gsk988ta/g94.cpp"},
     {"GSK-G94-09", open, kG94,
      "Where R and the travel from A to C on p have opposite signs, R is not the larger; that "
@@ -58,7 +59,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/g94.cpp"},
     {"GSK-G94-12", derived, kG94,
      "In the block that enters the cycle a missing axis has no travel and a missing R is 0; R "
-     "alone runs the cycle; neither axis nor R: nothing moves.",
+     "alone runs the cycle; neither axis nor R: nothing moves, or the cycle again where a later "
+     "block has its code or F.",
      "reference/gsk988ta/g94.cpp"},
 
     {"GSK-G90-01", must, kG90, "The positioning axis is q and the cutting axis p of the plane.",
@@ -81,7 +83,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "point and R.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-G90-08", must, kG90,
-     "A word for an axis outside the plane in a block of the cycle is an alarm.",
+     "A word for an axis outside the plane in a block of the cycle is an alarm; one that moves "
+     "nothing is one, too, or ignored.",
      "reference/gsk988ta/g90.cpp"},
     {"GSK-G90-09", must, kG90,
      "Where R and the travel from A to C on q have opposite signs, R may not be the larger; no "
@@ -96,7 +99,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/g90.cpp"},
     {"GSK-G90-12", derived, kG90,
      "In the block that enters the cycle a missing axis has no travel and a missing R is 0; R "
-     "alone runs the cycle; neither axis nor R: nothing moves.",
+     "alone runs the cycle; neither axis nor R: nothing moves, or the cycle again where a later "
+     "block has its code or F.",
      "reference/gsk988ta/g90.cpp"},
 
     {"GSK-G92-01", must, kG92,
@@ -123,7 +127,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "drives and is not covered.",
      "reference/gsk988ta/g92.cpp"},
     {"GSK-G92-08", derived, kG92,
-     "A word for an axis outside the plane in a block of the cycle is an alarm.",
+     "A word for an axis outside the plane in a block of the cycle is an alarm; one that moves "
+     "nothing is one, too, or ignored.",
      "reference/gsk988ta/g92.cpp"},
     {"GSK-G92-09", must, kG92,
      "Where R and the travel from A to C on q have opposite signs, R may not be the larger; no "
@@ -138,7 +143,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-G92-12", derived, kG92,
      "A missing axis has no travel and a missing R is 0; R alone runs the cycle; neither axis "
-     "nor R: nothing moves.",
+     "nor R: nothing moves, or the cycle again where a later block has its code or another of its "
+     "words.",
      "reference/gsk988ta/g92.cpp"},
     {"GSK-G92-13", open, kG92,
      "An inch thread (I), a face thread (P), more than one start (L) and a shifted start angle "
@@ -291,7 +297,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "Every other axis that is commanded but d is positioned with the centre.",
      "reference/gsk988ta/g114.cpp"},
 
-    {"GSK-COM-01", derived, kBasic, "A required word that is missing is an alarm.",
+    {"GSK-COM-01", derived, kBasic,
+     "A required word that is missing is an alarm; an arc with neither R nor a centre is one, or a "
+     "straight feed, as parameter 3403#5 has it.",
      "reference/gsk988ta/arc.cpp"},
     {"GSK-COM-02", derived, kBasic,
      "A G code that the control lacks, one with decimals too, and text that cannot be read, are "
@@ -356,8 +364,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "code takes that of the new depth axis.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-06", derived, kBasic,
-     "G80 and every code of group 01 end the mode; G80 also ends G94, and axis words after it, in "
-     "its own block too, are positioned.",
+     "G80 and every code of group 01 end the mode; G80 also ends G90, G92 and G94. Axis words "
+     "after it, in its own block too, are positioned; or, where G80 is of the group of the milling "
+     "cycles, the last of G00 to G03 moves them: which group it is of is open.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-07", open, kBasic,
      "Retained words are lengths: units and planes do not change them, or clear them, or units "

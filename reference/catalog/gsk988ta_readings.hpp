@@ -13,9 +13,10 @@ inline constexpr auto kGskReadings = of_dialect(
     "gsk988ta",
     std::to_array<Reading>({
         {.name = "gsk.g94.rewrite",
-         .alternatives = {"keep", "clear"},
+         .alternatives = {"keep", "clear", "clear-all"},
          .clause = "GSK-G94-06"_clause,
-         .text = "R when G94 is written again without it: kept, or cleared"},
+         .text = "end point and R when the code of a cutting cycle is written again without them: "
+                 "kept, or R alone cleared, or all that the block does not give"},
         {.name = "gsk.g94.after-00",
          .alternatives = {"stays", "cancelled"},
          .clause = "GSK-G94-07"_clause,
@@ -24,18 +25,28 @@ inline constexpr auto kGskReadings = of_dialect(
         {.name = "gsk.g94.empty-block",
          .alternatives = {"none", "repeat"},
          .clause = "GSK-G94-12"_clause,
-         .text = "a block of words without axis and R while G94 is in force: no cycle, or the "
-                 "cycle again"},
+         .text = "a block without axis and R, but with the code of the cutting cycle in force or "
+                 "another of its words, such as F: no cycle, or the cycle again"},
         {.name = "gsk.g94.in-mode",
          .alternatives = {"keep", "clear"},
          .clause = "GSK-G94-07"_clause,
          .text = "what a cutting cycle retains when a milling cycle is entered without a code of "
                  "group 01: kept, or cleared"},
+        {.name = "gsk.g94.still-axis",
+         .alternatives = {"alarm", "ignored"},
+         .clause = "GSK-G94-08"_clause,
+         .text = "a word of an axis outside the plane in a block of a cutting cycle that moves "
+                 "nothing, such as V0: an alarm as one that moves, or ignored"},
         {.name = "gsk.g94.taper-limit",
          .alternatives = {"run", "alarm"},
          .clause = "GSK-G94-09"_clause,
          .text = "a taper R of G94 against the travel and larger than it: run as it stands, or an "
                  "alarm"},
+        {.name = "gsk.g80.motion",
+         .alternatives = {"traverse", "kept"},
+         .clause = "GSK-MOD-06"_clause,
+         .text = "axis words behind G80: positioned, as in group 01, or moved by the last of G00 "
+                 "to G03, which a code of the group of the milling cycles keeps in force"},
         {.name = "gsk.retained",
          .alternatives = {"keep", "clear", "number", "in-plane"},
          .clause = "GSK-MOD-07"_clause,
@@ -182,6 +193,16 @@ inline constexpr auto kGskReadings = of_dialect(
          .alternatives = {"off", "exact"},
          .clause = "GSK-COM-05"_clause,
          .text = "parameter 3410 = 0: the radii of an arc are not compared, or must be equal"},
+        {.name = "gsk.arc.no-centre",
+         .alternatives = {"alarm", "line"},
+         .clause = "GSK-COM-01"_clause,
+         .text = "an arc with neither R nor a centre: an alarm, or a straight feed to its end "
+                 "(parameter 3403#5)"},
+        {.name = "gsk.arc.small-radius",
+         .alternatives = {"alarm", "semicircle"},
+         .clause = "GSK-COM-05"_clause,
+         .text = "R less than half the chord by no more than parameter 3410: an alarm, or a "
+                 "semicircle over the chord (parameter 3403#4)"},
         {.name = "gsk.g50.initial-plane",
          .alternatives = {"shifted", "kept"},
          .clause = "GSK-MOD-05"_clause,

@@ -72,8 +72,9 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "thread; the passes come in the order of k, or of falling k. The signs of R and E are free. "
      "No text says so; our judgement.",
      "reference/hnc21t/g82.cpp"},
-    {"HNC-G82-10", must, kG82,
-     "Feed hold, the meaning of Q and the versions that have it change nothing in the path.",
+    {"HNC-G82-10", derived, kG82,
+     "Feed hold, the meaning of Q and the versions that have it change nothing in the path. "
+     "Whether the control is of a version that has Q is open.",
      "reference/hnc21t/g82.cpp"},
     {"HNC-G74-01", must, kG74,
      "Z is the bottom of the hole. The withdrawal e (word R) is not negative and the depth of a "
@@ -83,15 +84,17 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "Pecks end at multiples of their depth from A, each but the last followed by a withdrawal of "
      "e; the last ends on Z; then one traverse to A.",
      "reference/hnc21t/g74.cpp"},
-    {"HNC-G74-03", must, kG74, "Without a withdrawal: feed to Z, traverse to A.",
+    {"HNC-G74-03", derived, kG74,
+     "Without a withdrawal: feed to Z, traverse to A. Whether a depth of a peck beside it asks for "
+     "the third way of drilling, which the text announces and has lost, is open.",
      "reference/hnc21t/g74.cpp"},
     {"HNC-G74-04", open, kG74,
      "Nothing limits the withdrawal. X and U in a block of G74 have no effect, or the tool is "
-     "positioned there first. The third way of drilling that the text announces is not described, "
-     "so there is none. No text says more; our judgement.",
+     "positioned there first. No text says more; our judgement.",
      "reference/hnc21t/g74.cpp"},
     {"HNC-G74-05", derived, kG74,
-     "A withdrawal needs a depth of a peck; without a withdrawal that depth has no effect.",
+     "A withdrawal needs a depth of a peck; where the tool goes down in one that depth has no "
+     "effect.",
      "reference/hnc21t/pecking.cpp"},
     {"HNC-G75-01", must, kG75,
      "X is the bottom of the groove; e and the depth of a peck as in G74, measured as radii along "
@@ -100,7 +103,9 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     {"HNC-G75-02", derived, kG75,
      "Pecks and withdrawals as in G74, along X; then straight out to X of A.",
      "reference/hnc21t/g75.cpp"},
-    {"HNC-G75-03", derived, kG75, "Without a withdrawal: one plunge to X, traverse out.",
+    {"HNC-G75-03", derived, kG75,
+     "Without a withdrawal: one plunge to X, traverse out. Whether a width and a depth of a peck "
+     "ask for the third way, a traverse to X and that depth further, is open.",
      "reference/hnc21t/g75.cpp"},
     {"HNC-G75-04", open, kG75,
      "With a width (Z or W) and a number of axial steps (I) the plunge is repeated at each step, "
@@ -113,7 +118,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/hnc21t/g75.cpp"},
     {"HNC-MOD-01", must, kSimple,
      "G74, G75, G80, G81 and G82 are one modal group. I K R E C A P F J Q given in one of them are "
-     "modal within it and forgotten when the command changes.",
+     "modal within it and forgotten when the command changes to another of them.",
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-MOD-02", derived, kSimple,
      "A following block with X and Z alone repeats the cycle from A; another motion code cancels "
@@ -125,21 +130,24 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/hnc21t/cycle.cpp"},
     {"HNC-MOD-04", open, kSimple,
      "F of G74, G75, G80 and G81 is the ordinary feed. A lead never becomes a feed, nor a feed a "
-     "lead; G32 needs a lead of its own.",
+     "lead; G32 needs a lead of its own. Whether one from before another motion code is in force "
+     "is open.",
      "reference/hnc21t/interpreter.cpp"},
     named_otherwise(
         refused_by_some({"HNC-MOD-05", open, kSimple,
-                         "The same code again is no change of command, or it is one. A code or a "
-                         "word of a cycle without an axis word is stored and moves nothing, or the "
-                         "cycle runs again. Y and V are not words of a lathe. G18 is the only "
-                         "plane; G40, G96 and G97 have no effect. No text says so; our judgement.",
+                         "The same code again, at once or behind motion codes that are not of the "
+                         "group, is no change of command, or it is one. A code or a word of a "
+                         "cycle without an axis word is stored and moves nothing, or the cycle "
+                         "runs again. Y and V are not words of a lathe. G18 is the only plane; "
+                         "G40, G96 and G97 have no effect. No text says so; our judgement.",
                          "reference/hnc21t/interpreter.cpp"},
                         "missing-word"),
         "undefined-code axis-not-in-plane unused-word syntax"),
     {"HNC-COM-01", derived, kBasic,
      "A missing required word, a code that the maker lacks, unreadable text and a cut without a "
      "feed are alarms. A blank may stand between a letter and its number. Basic codes: G00 to G04, "
-     "G20, G21, G32, G36, G37, G54 to G59, G90 to G92, G94 and G95.",
+     "G20, G21, G32, G36, G37, G54 to G59, G90 to G92, G94 and G95. Whether P of G04 is in "
+     "milliseconds or in seconds is open.",
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-WRD-01", derived, kBasic,
      "Every word of a block is used by its code, or ignored by a rule of the list below, or it "

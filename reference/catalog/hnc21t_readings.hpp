@@ -44,12 +44,17 @@ inline constexpr auto kHncReadings = of_dialect(
         {.name = "hnc.g75.mode3",
          .alternatives = {"off", "on"},
          .clause = "HNC-G75-03"_clause,
-         .text = "a plunge without a withdrawal but with the depth of a peck: to X, or a traverse "
-                 "to X and that depth further at the feed"},
+         .text = "a groove with a width and the depth of a peck but without a withdrawal: plunges "
+                 "to X, or traverses to X and that depth further at the feed"},
         {.name = "hnc.g75.depth-scale",
          .alternatives = {"radius", "diameter"},
          .clause = "HNC-G75-01"_clause,
          .text = "e and the depth of a peck in G75: radii, or diameters where X is one"},
+        {.name = "hnc.g82.q",
+         .alternatives = {"read", "alarm"},
+         .clause = "HNC-G82-10"_clause,
+         .text = "Q in a block of G82: the constant of the run-out, or a word that the control "
+                 "lacks, being older than the versions that have it"},
         {.name = "hnc.g82.exit",
          .alternatives = {"rapid", "feed"},
          .clause = "HNC-G82-01"_clause,
@@ -67,6 +72,17 @@ inline constexpr auto kHncReadings = of_dialect(
          .clause = "HNC-MOD-04"_clause,
          .text = "F of the cycles other than G82: the ordinary feed, or a word of its cycle, "
                  "forgotten with it"},
+        {.name = "hnc.modal.words",
+         .alternatives = {"forgotten", "kept"},
+         .clause = "HNC-MOD-05"_clause,
+         .text = "words of a cycle, but F of a feed and its end, where the same cycle comes again "
+                 "behind G00 or another motion code that is not of its group: forgotten, or still "
+                 "in force"},
+        {.name = "hnc.g32.lead",
+         .alternatives = {"alarm", "kept"},
+         .clause = "HNC-MOD-04"_clause,
+         .text = "G32 without F or J behind another motion code: the lead is missing, or that of "
+                 "the last G32 is in force"},
         {.name = "hnc.rewrite",
          .alternatives = {"keep", "clear"},
          .clause = "HNC-MOD-05"_clause,
@@ -81,6 +97,11 @@ inline constexpr auto kHncReadings = of_dialect(
          .alternatives = {"none", "first"},
          .clause = "HNC-G74-04"_clause,
          .text = "X or U in a block of G74: without effect, or a traverse to that X first"},
+        {.name = "hnc.g74.mode3",
+         .alternatives = {"off", "on"},
+         .clause = "HNC-G74-03"_clause,
+         .text = "a hole with the depth of a peck but without a withdrawal: drilled to Z, or a "
+                 "traverse to Z and that depth further at the feed"},
         {.name = "hnc.g75.zero-width",
          .alternatives = {"each", "once"},
          .clause = "HNC-G75-05"_clause,
@@ -100,6 +121,10 @@ inline constexpr auto kHncReadings = of_dialect(
          .clause = "HNC-COM-01"_clause,
          .text = "F of an earlier block behind a change between G94 and G95: it stays in force, or "
                  "a new one is due"},
+        {.name = "hnc.dwell.unit",
+         .alternatives = {"ms", "s"},
+         .clause = "HNC-COM-01"_clause,
+         .text = "P of G04: milliseconds, or seconds"},
         {.name = "hnc.offset.initial",
          .alternatives = {"G54", "none"},
          .clause = "HNC-COM-01"_clause,

@@ -64,6 +64,12 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "A dwell comes before the motion of its block. LinuxCNC has dwelt when it finds what is wrong "
      "with the motion; a word that is read wrong alarms before.",
      "reference/rs274/interpreter.cpp", Basis::text},
+    refused_by_some({"NGC-G4-03", open, kModes,
+                     "A dwell beside the code of an arc comes before it, and P is its time. No "
+                     "text says whether both may stand in a block, for both have a use for P; our "
+                     "judgement.",
+                     "reference/rs274/basic_motion.cpp", Basis::silent},
+                    "conflicting-words"),
     {"NGC-COM-01", derived, kBlocks,
      "A line with a slash runs unless blocks are skipped. A word or a modal group twice in a "
      "block, more than four M functions, a code that the language lacks, and R with I J K are "
@@ -188,6 +194,10 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/modes.cpp"},
     {"NGC-SPD-02", must, kLaterModes, "A feed under G96 while the spindle stands is an alarm.",
      "reference/rs274/modes.cpp"},
+    {"NGC-SPD-03", must, kModes,
+     "After the tool change of M6 the spindle stands until M3 or M4; these come behind M6 where "
+     "they are in its block. M61 changes no tool.",
+     "reference/rs274/interpreter.cpp"},
     {"NGC-DIA-01", must, kLaterModes,
      "Under G7 X is a diameter, and X moves by half; I, J and K of G76 are diameters, too. G8 ends "
      "it.",

@@ -25,8 +25,8 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "reference/rs274/expression.cpp"},
     {"NGC-PAR-03", must, kParameters,
      "#<name> is a named parameter; the case of its letters and blanks do not count: with _ "
-     "before it that of the whole program, else of the subroutine that set it, and gone when that "
-     "ends. To use one that was never set is an alarm.",
+     "before it that of the whole program, else of the subroutine or the pass of a subprogram that "
+     "set it, and gone when that ends. To use one that was never set is an alarm.",
      "reference/rs274/expression.cpp"},
     {"NGC-PAR-04", must, kParameters,
      "Parameters above #5000 and names of the language's own say what is in force. Read are #5220, "
@@ -42,6 +42,10 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "In brackets ** goes before * / MOD, these before + -, then EQ NE GT GE LT LE, then AND OR "
      "XOR; of one group the left one is first. # goes before all of them.",
      "reference/rs274/expression.cpp"},
+    {"NGC-EXP-09", open, kExpressions,
+     "AND, OR and XOR come last, as LinuxCNC's documents have it; to NIST's interpreter, which has "
+     "no comparisons, they are of the group of + and -.",
+     "reference/rs274/logic_order.cpp", Basis::text},
     {"NGC-EXP-02", must, kExpressions,
      "Comparisons and AND OR XOR give 1 or 0, and what is not zero is true. EQ and NE take values "
      "for equal that differ by less than a millionth, as the documents say, or a ten-thousandth, "
@@ -91,7 +95,7 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
     {"NGC-OWD-03", must, kOCodes,
      "return and endsub end a call; only endsub needs its label. A value behind them is #<_value>, "
      "and #<_value_returned> is 1; "
-     "both are 0 from the next call on until one returns a value.",
+     "both are 0 from the next call on, M98 among them, until one returns a value.",
      "reference/rs274/o_words.cpp"},
     {"NGC-OWD-04", must, kOCodes,
      "From if, elseif and else to endif the lines behind the first condition that is true run, or "
@@ -130,13 +134,17 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
                     "syntax undefined-code"),
     {"NGC-OWD-13", must, kOCodes,
      "M98 P calls the subprogram that stands behind it, from the line O and its number to M99, and "
-     "L "
-     "times, once without L; #1 to #30 are the program's there. A subroutine of one style with a "
-     "call "
-     "or an end of the other is an alarm, and so are P and L that are no whole numbers from 0 on. "
+     "L times, once without L; #1 to #30 are those of the lines that call it. A subroutine of one "
+     "style with a call, a return or an end of the other is an alarm, and so are P and L that are "
+     "no whole numbers from 0 on. "
      "M99 "
      "in the program itself, and M98 and M99 beside other words, are not read.",
      "reference/rs274/subprograms.cpp"},
+    {"NGC-OWD-14", open, kOCodes,
+     "M98 of a subprogram that stands before it in the file is an alarm, as the documents have it. "
+     "LinuxCNC runs one that has run already, and controls whose subprograms are files of their "
+     "own know no order.",
+     "reference/rs274/subprograms.cpp", Basis::text},
     {"NGC-OWD-12", open, kOCodes, "A comment between the values of a call is not read.",
      "grammar/x3/rs274.cpp"},
 });

@@ -29,7 +29,7 @@ inline constexpr auto kOffsetClauses = std::to_array<Clause>({
      "G10 L2 P puts the origin of coordinate system P, 1 to 9 or 0 for the one in force, where the "
      "axis words say, in coordinates of the machine, also under G91; an axis without a word keeps "
      "its own. It acts at once, and selects no system. A P that is no whole number from 0 to 9 is "
-     "an alarm.",
+     "an alarm. I, J and Q beside L2, and these and R beside L20, are words that nothing uses.",
      "reference/rs274/offsets.cpp"},
     {"NGC-OFS-04", must, kOffsets,
      "G10 L20 P puts the origin of system P where the position gets the coordinates that the axis "
@@ -75,6 +75,24 @@ inline constexpr auto kOffsetClauses = std::to_array<Clause>({
      "G53 under G91 is an alarm. No text says so, NIST's interpreter and LinuxCNC have it; our "
      "judgement.",
      "reference/rs274/offsets.cpp"},
+    refused_by_some(
+        {"NGC-OFS-20", open, kOffsets,
+         "G53 without axis words, and without G0 or G1 in its block, does nothing. No text says "
+         "whether it may stand so; our judgement.",
+         "reference/rs274/offsets.cpp", Basis::silent},
+        "conflicting-words missing-word"),
+    {"NGC-OFS-21", open, kOffsets,
+     "P0 of G10 L2 is the coordinate system in force, as LinuxCNC has it; to NIST's interpreter P "
+     "is from 1 to 9, and another one an alarm.",
+     "reference/rs274/offsets.cpp", Basis::text},
+    {"NGC-OFS-22", open, kOffsets,
+     "Behind the point that axis words of G28 and G30 say, these axes alone go on to the reference "
+     "point, as LinuxCNC has it; or all axes do, as NIST's report has it.",
+     "reference/rs274/offsets.cpp", Basis::text},
+    {"NGC-OFS-23", open, kOffsets,
+     "G43 without H takes the tool that is loaded, as LinuxCNC has it; to NIST's interpreter it is "
+     "an alarm.",
+     "reference/rs274/tool_lengths.cpp", Basis::text},
     {"NGC-OFS-15", must, kGroups,
      "G10, G28, G30, G52 and G92 take the axis words of their block: the motion in force does not "
      "act there, and another code that takes them is an alarm.",

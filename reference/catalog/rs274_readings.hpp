@@ -80,6 +80,30 @@ inline constexpr auto kNgcReadings = of_dialect(
          .text = "the offset of an axis that G92 does not name: zero, as the page of G92 says; or "
                  "as it was, as NIST's report and LinuxCNC have it. Open, and asked for only where "
                  "it is not zero"},
+        {.name = "ngc.g28-axes",
+         .alternatives = {"named", "all"},
+         .clause = "NGC-OFS-22"_clause,
+         .text = "the axes that G28 and G30 with axis words move on to the reference point: those "
+                 "that have a word, as LinuxCNC has it; or all of them, as NIST's report has it. "
+                 "Open, and asked for only where an axis without a word is not there"},
+        {.name = "ngc.g10-p0",
+         .alternatives = {"in-force", "alarm"},
+         .clause = "NGC-OFS-21"_clause,
+         .text =
+             "P0 of G10 L2: the coordinate system in force, as LinuxCNC has it; or an alarm, as "
+             "NIST's interpreter has it. Open, and asked for only where there is one"},
+        {.name = "ngc.g43-without-h",
+         .alternatives = {"loaded", "missing-word"},
+         .clause = "NGC-OFS-23"_clause,
+         .text = "G43 without H: the length of the tool that is loaded, as LinuxCNC has it; or an "
+                 "alarm, as NIST's interpreter has it. Open, and asked for only where there is "
+                 "one"},
+        {.name = "ngc.logic-order",
+         .alternatives = {"last", "among-sums"},
+         .clause = "NGC-EXP-09"_clause,
+         .text = "AND, OR and XOR before + or - in the same brackets: behind it, as LinuxCNC's "
+                 "documents have it; or the left one first, as NIST's report has it. Open, and "
+                 "asked for only there, where no comparison stands in the value"},
         {.name = "ngc.equal",
          .alternatives = {"millionth", "ten-thousandth"},
          .clause = "NGC-EXP-02"_clause,
@@ -98,6 +122,12 @@ inline constexpr auto kNgcReadings = of_dialect(
          .text = "a parameter up to #30 that a call gives no value: as in the calling lines, as "
                  "the documents say; or zero, as LinuxCNC 2.9 has it. Open, and asked for only "
                  "where one is read that was not zero"},
+        {.name = "ngc.m98-before",
+         .alternatives = {"runs", "syntax"},
+         .clause = "NGC-OWD-14"_clause,
+         .text = "M98 of a subprogram that stands before it in the file: it runs, as controls have "
+                 "it that keep subprograms in files; or an alarm, as the documents have it. Open, "
+                 "and asked for only where there is one"},
         {.name = "ngc.missing-tool",
          .alternatives = {"taken", "alarm"},
          .clause = "NGC-COM-11"_clause,

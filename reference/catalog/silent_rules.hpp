@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rules that no text states. A reference has to do something with every program; where the manuals
-// say nothing it does what follows here, and a departure from it is an advice, no NO-GO. Each has
-// the place where its rule would stand.
+// say nothing it does what follows here. A departure from such a rule is an advice, not a NO-GO.
+// Each has the place where its rule would stand.
 #pragma once
 
 #include <array>
@@ -53,6 +53,11 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "Letters of words are capitals, and a block with others cannot be read. No text says whether "
      "lower case is read; our judgement.",
      "reference/dialect.cpp"},
+    refused_by_some({"GSK-MOD-10", open, kBasic,
+                     "A code of group 01 beside G80 holds, and G80 ends the cycles. No text says "
+                     "so; our judgement.",
+                     "reference/gsk988ta/interpreter.cpp"},
+                    "duplicate-word conflicting-words"),
     named_otherwise({"GSK-G110-19", open, kG110,
                      "A tool radius D of zero is an alarm. No text says so, the table of ranges "
                      "begins at 0; our judgement.",
@@ -179,6 +184,11 @@ inline constexpr auto kSinumerikPath = std::to_array<Clause>({
                      "so; our judgement.",
                      "reference/sinumerik/basic_motion.cpp"},
                     "syntax undefined-code unused-word"),
+    named_otherwise({"SIE-MOD-10", open, sinumerik::kModes,
+                     "A word that moves nothing is an alarm beside G4, which has a block of its "
+                     "own. No text says what comes of one; our judgement.",
+                     "reference/sinumerik/alone.cpp"},
+                    "syntax unused-word"),
     named_otherwise({"SIE-COM-03", open, sinumerik::kModes,
                      "A spindle speed below zero is an alarm. No text says so; our judgement.",
                      "reference/sinumerik/feed_and_speed.cpp"},
@@ -207,6 +217,11 @@ inline constexpr auto kSinumerikCycles = std::to_array<Clause>({
                      "says so; our judgement.",
                      "reference/sinumerik/frame.cpp"},
                     "conflicting-words"),
+    named_otherwise({"SIE-FRM-07", open, sinumerik::kFrames,
+                     "A word that moves nothing is an alarm beside G158, G258 and G259, which have "
+                     "a block of their own. No text says what comes of one; our judgement.",
+                     "reference/sinumerik/alone.cpp"},
+                    "syntax unused-word"),
     named_otherwise({"SIE-LC82-04", open, sinumerik::kDrilling,
                      "R105 or R102 below zero, and R101 between the reference plane and the "
                      "clearance above it, are alarms. No text says so; our judgement.",

@@ -81,8 +81,8 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "reference/sinumerik/arc.cpp"},
     {"SIE-ARC-12", derived, kArcs,
      "Two end-point axes that are not the plane's choose the plane, unless TURN=, AR= or a centre "
-     "word of the plane's other axis makes a helix of it. By the centre word of the common axis "
-     "alone it may be a helix, too, whose other centre word is 0.",
+     "word of the plane's other axis makes a helix of it. Whether the centre word of the common "
+     "axis alone, or CR= alone, makes one, too, is open.",
      "reference/sinumerik/arc.cpp"},
     {"SIE-ARC-13", derived, kArcs,
      "TURN= is whole, 0 to 999, and belongs to G2 and G3; beside CIP and CT it is 0 and adds "
@@ -111,8 +111,12 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "reference/sinumerik/polar.cpp"},
     {"SIE-POL-02", derived, kPolar,
      "AP and RP hold until the pole or the plane changes. RP is not below zero, AP within 360 "
-     "degrees; AP is absolute, under G91 perhaps not, and IC() adds to it. A code of a plane puts "
-     "the pole at the zero.",
+     "degrees; AP is absolute, under G91 perhaps not, and IC() adds to it. The code of another "
+     "plane puts the pole at the zero.",
+     "reference/sinumerik/polar.cpp"},
+    {"SIE-POL-04", derived, kPolar,
+     "Whether the code of the plane in force puts the pole at the zero and ends AP and RP, too, is "
+     "open.",
      "reference/sinumerik/polar.cpp"},
     {"SIE-MOD-01", must, kModes, "G0 G1 G2 G3 CIP and CT are one modal group.",
      "reference/sinumerik/codes.cpp"},

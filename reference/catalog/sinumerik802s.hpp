@@ -17,8 +17,8 @@ using enum ClauseLevel;
 inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"SIE-FRM-01", derived, kFrames,
      "G158 is a programmable translation; alone it clears translation and rotation. Whether one "
-     "with values replaces those before it or is added to them is open: the maker's third example "
-     "of LCYC75 comes back to its start only where it is added.",
+     "with values replaces both before it, replaces the translation alone, or is added to them is "
+     "open: the maker's third example of LCYC75 comes back to its start only where it is added.",
      "reference/sinumerik/frame.cpp"},
     {"SIE-FRM-02", derived, kFrames,
      "G258 RPL= is a rotation, G259 RPL= one added to that in force, about the shifted zero; "
@@ -32,6 +32,10 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "tool is. G158 and G258 replace translation and rotation. What a frame makes of a pole that "
      "was put before it, and what G53 leaves out of one, is open and not read.",
      "reference/sinumerik/frame.cpp"},
+    {"SIE-FRM-06", derived, kFrames,
+     "Whether an increment behind another translation goes its number alone, or that and what the "
+     "translation has moved along its axis, is open.",
+     "reference/sinumerik/polar.cpp"},
     {"SIE-LC82-01", derived, kDrilling,
      "LCYC82 drills where the tool stands: traverse to R103 + R102, feed to R104, dwell of R105 "
      "seconds, traverse to R101.",
@@ -39,7 +43,8 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"SIE-LC82-02", derived, kDrilling, "R101 is not below R103, and R104 is below R103.",
      "reference/sinumerik/cycle.cpp"},
     {"SIE-LC82-03", derived, kDrilling,
-     "A feed is in force. A cycle leaves F, the motion code and the plane as they were.",
+     "A feed is in force. A cycle leaves the motion code and the plane as they were, and LCYC82 F, "
+     "too.",
      "reference/sinumerik/lcyc82.cpp"},
     {"SIE-LC75-01", must, kPockets,
      "LCYC75 mills the pocket about R116, R117, R118 long and R119 wide with corners of R120, from "
@@ -53,7 +58,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"SIE-LC75-04", must, kPockets,
      "Roughing: traverse to the centre at R101 and to R103 + R102; at every level feed R122 down "
      "at "
-     "the centre and clear it at feed R123 as R126 says; traverse to R101 at the centre.",
+     "the centre and clear it at feed R123 as R126 says; back to R101 at the centre.",
      "reference/sinumerik/lcyc75.cpp"},
     {"SIE-LC75-05", must, kPockets,
      "Roughing ends at R104 + R125, and no infeed is deeper than R121.",
@@ -73,7 +78,9 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "than "
      "the corner leaves larger corners. The tool fits between the walls; equality passes.",
      "reference/sinumerik/lcyc75_rules.cpp"},
-    {"SIE-LC75-09", derived, kPockets, "The parameters of LCYC75 have ranges.",
+    {"SIE-LC75-09", derived, kPockets,
+     "The parameters of LCYC75 have ranges. What R126=0 means, which the maker's second example "
+     "has, and whether R124 has its limit in finishing, too, is open.",
      "reference/sinumerik/lcyc75_rules.cpp"},
     {"SIE-LC75-10", derived, kPockets,
      "R118 lies along the first axis of the plane, R119 along the second. Roughing clears what the "
@@ -90,8 +97,12 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "reference/sinumerik/lcyc75_path.cpp"},
     {"SIE-LC75-13", derived, kPockets,
      "The approach to R101 is one traverse from any height; between levels and at the end the tool "
-     "travels freely in what is cleared, never above R101, and it ends at the centre at R101.",
+     "travels freely and at any speed in what is cleared, never above R101, and it ends at the "
+     "centre at R101.",
      "reference/sinumerik/lcyc75.cpp"},
+    {"SIE-LC75-14", derived, kPockets,
+     "Whether the feed in force behind LCYC75 is F of before or R123, mm/min or mm/rev, is open.",
+     "reference/sinumerik/basic_motion.cpp"},
 });
 
 }  // namespace gonogo::reference::catalog::sinumerik

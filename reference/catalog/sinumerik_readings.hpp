@@ -25,10 +25,9 @@ inline constexpr auto kSinumerikPathReadings = of_dialect(
                  "(the arc is then half a turn about the chord's middle)"},
         {.name = "sie.arc.plane",
          .alternatives = {"ends", "helix"},
-         .fallback = "ends",
          .clause = "SIE-ARC-12"_clause,
-         .text = "an arc to two axes that are not the plane's, by the centre word of the common "
-                 "axis alone: in the plane of these axes, or a helix of the plane in force"},
+         .text = "an arc to two axes that are not the plane's, by CR= or the centre word of the "
+                 "common axis alone: in the plane of these axes, or a helix of the plane in force"},
         {.name = "sie.ar.zero",
          .alternatives = {"none", "alarm"},
          .clause = "SIE-ARC-05"_clause,
@@ -38,6 +37,11 @@ inline constexpr auto kSinumerikPathReadings = of_dialect(
          .clause = "SIE-POL-02"_clause,
          .text = "AP under G91: counted from the first axis of the plane, or from the angle in "
                  "force"},
+        {.name = "sie.pole.same-plane",
+         .alternatives = {"reset", "kept"},
+         .clause = "SIE-POL-04"_clause,
+         .text = "the code of the plane in force: it puts the pole at the zero and ends AP and RP, "
+                 "or leaves them"},
         {.name = "sie.cip.collinear",
          .alternatives = {"straight", "alarm"},
          .clause = "SIE-CIP-01"_clause,
@@ -67,9 +71,10 @@ inline constexpr auto kSinumerikCycleReadings = of_dialect(
     "sinumerik802s",
     std::to_array<Reading>({
         {.name = "sie.g158",
-         .alternatives = {"absolute", "additive"},
+         .alternatives = {"absolute", "additive", "translation-only"},
          .clause = "SIE-FRM-01"_clause,
-         .text = "G158: it replaces translation and rotation, or is added to those in force"},
+         .text = "G158: it replaces translation and rotation, is added to those in force, or "
+                 "replaces the translation alone"},
         {.name = "sie.rpl-equals",
          .alternatives = {"lenient", "required"},
          .clause = "SIE-FRM-03"_clause,
@@ -78,6 +83,11 @@ inline constexpr auto kSinumerikCycleReadings = of_dialect(
          .alternatives = {"absolute", "rotation-only"},
          .clause = "SIE-FRM-04"_clause,
          .text = "G258: it replaces translation and rotation, or the rotation alone"},
+        {.name = "sie.frame.increment",
+         .alternatives = {"alone", "with-translation"},
+         .clause = "SIE-FRM-06"_clause,
+         .text = "an increment behind another translation: its number alone, or that and what the "
+                 "translation has moved along the axis"},
         {.name = "sie.infeed",
          .alternatives = {"equal", "max-rest"},
          .by_properties = true,
@@ -112,6 +122,20 @@ inline constexpr auto kSinumerikCycleReadings = of_dialect(
          .clause = "SIE-LC75-09"_clause,
          .text = "an allowance in depth R125 that is not smaller than the tool's diameter: no "
                  "matter, or an alarm"},
+        {.name = "sie.lc75.finish-limit",
+         .alternatives = {"alarm", "none"},
+         .clause = "SIE-LC75-09"_clause,
+         .text = "an allowance R124 that is not smaller than the tool's diameter, in finishing: an "
+                 "alarm as in roughing, or no matter"},
+        {.name = "sie.lc75.feed-after",
+         .alternatives = {"kept", "of-cycle"},
+         .clause = "SIE-LC75-14"_clause,
+         .text = "the feed behind LCYC75, where no F stands behind it: F of before, or R123"},
+        {.name = "sie.lc75.no-sense",
+         .alternatives = {"alarm", "g2", "g3"},
+         .clause = "SIE-LC75-09"_clause,
+         .text = "R126=0, as in the maker's second example: an alarm, or the way round of G2 or of "
+                 "G3"},
     }));
 
 }  // namespace gonogo::reference::catalog

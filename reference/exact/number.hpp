@@ -102,13 +102,13 @@ class Number {
   // For roots: a, b, c of a + b*sqrt(c), as rationals.
   std::array<Number, 3> root_parts() const;
 
-  // As in a record, design: the shortest of a terminating decimal, p/q, {"root":[a,b,c]},
+  // As in a record: the shortest of a terminating decimal, p/q, {"root":[a,b,c]},
   // {"enclosure":[lo,hi]} (hi - lo <= 1e-15). `append_json` puts quotes round the first two.
   void append_json(std::string& out) const;
   // The same for people: 12.5, 11/3, 1 + 2*sqrt(3), [1.25, 1.26].
   std::string text() const;
-  // A decimal of `decimals` places, rounded to nearest (ties away from zero). For an enclosure, the
-  // middle of bounds 2^-64 of the last place apart is rounded.
+  // The number with so many decimals, rounded to nearest (ties away from zero). For an enclosure,
+  // the middle of bounds 2^-64 of the last decimal apart is rounded.
   std::string decimal_text(int decimals) const;
 
  private:

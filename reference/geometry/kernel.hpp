@@ -36,7 +36,7 @@ inline Pair pair(const Point_2& at) {
   return {at.x(), at.y()};
 }
 
-// What a plane sees of a place, and of a way; and the way back.
+// The projection of a place, and of a way, on the plane; and the way back.
 inline Point_2 point_in(const reference::PlaneAxes& axes, const reference::Position& at) {
   return {at[axes.p], at[axes.q]};
 }

@@ -321,10 +321,24 @@ TEST(DerivedHncG75, StepsThatDoNotEndAreKeptExactly) {
 }
 
 TEST(DerivedHncG75, TheThirdModeTraversesToXAndCutsTheRest) {
-  // X34 is radius 17; 2 further is 15.
-  const Lines want =
-      Lines{"1 rapid x25 z5", "2 rapid x17", "2 feed x15 f60", "2 rapid x25"} + end("25", "5");
+  // X34 is radius 17; 2 further is 15. Z5 to Z-1 in three steps of 2.
+  const Lines plunge = {"2 rapid x17", "2 feed x15 f60", "2 rapid x25"};
+  const Lines want = Lines{"1 rapid x25 z5"} + plunge + Lines{"2 rapid z3"} + plunge +
+                     Lines{"2 rapid z1"} + plunge + Lines{"2 rapid z-1"} + plunge +
+                     Lines{"2 rapid z5"} + end("25", "5");
+  EXPECT_EQ(records_of("hnc.readings.000102"), want);
+}
+
+TEST(DerivedHncG75, TheThirdModeIsOfAGrooveWithAWidth) {
+  const Lines want = Lines{"1 rapid x25 z5", "2 feed x17 f60", "2 rapid x25"} + end("25", "5");
   EXPECT_EQ(records_of("hnc.readings.000101"), want);
+}
+
+TEST(DerivedHncG74, AThirdModeTraversesToZAndCutsTheRest) {
+  // Z-12 and 3 further.
+  const Lines want =
+      Lines{"1 rapid x5 z5", "2 rapid z-12", "2 feed z-15 f60", "2 rapid z5"} + end("5", "5");
+  EXPECT_EQ(records_of("hnc.readings.000203"), want);
 }
 
 TEST(DerivedHncG75, AsManyPlungesAsTheCount) {

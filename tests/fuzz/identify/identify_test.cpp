@@ -107,11 +107,13 @@ TEST(Identify, SaysWhenALengthIsLongerThanThereIsRoomFor) {
   EXPECT_EQ(clearance.why, "the programs that show it have room for no more than they show");
 }
 
-TEST(Identify, WhatDepartsUnderEveryReadingFollowsNone) {
+TEST(Identify, WhatDepartsUnderEveryReadingIsSetAside) {
   const auto subject = builtin("hnc", "withdrawal-twice");
   const Identification found = identify_readings(*subject, pool_of("hnc21t"), {});
-  EXPECT_FALSE(found.contradiction.empty());
-  EXPECT_NE(identification_text(found, "hnc", "hnc21t").find("no readings consistently"),
+  EXPECT_FALSE(found.aside.empty());
+  EXPECT_TRUE(found.contradiction.empty());
+  EXPECT_EQ(found_of(found, "hnc.g75.i"_key).values, std::vector<std::string>{"I"});
+  EXPECT_NE(identification_text(found, "hnc", "hnc21t").find("departs under every reading"),
             std::string::npos);
 }
 

@@ -170,6 +170,7 @@ class Misreading : public testing::ReferenceSubject {
 TEST(LikelyCause, OfAWayToAReferencePointOfRs274) {
   using reference::Axis;
   Profile machine = testing::default_machine("rs274");
+  ASSERT_FALSE(reference::set_reading(machine, "ngc.g28-axes", "named"));
   machine.reference_point[Axis::x] = 5;
   machine.reference_point[Axis::y] = 6;
   machine.reference_point[Axis::z] = 7;

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "fuzz/relations/operation_path.hpp"
 #include "reference/dialect.hpp"
 #include "related.hpp"
-#include "fuzz/relations/operation_path.hpp"
 
 namespace gonogo::relations::testing {
 namespace {
@@ -96,6 +96,16 @@ TEST(Operations, AFaceIsWrittenWithTheMakersCycle) {
             "G1 Z2 F100\nG0 X30\nM30\n");
   EXPECT_FALSE(has_cycle_for(a_face(), "rs274"));
   EXPECT_TRUE(has_cycle_for(a_face(), "gsk988ta"));
+}
+
+// hnc.modal.words: K of the first may be in force in the second.
+TEST(Operations, AStraightFaceBehindATaperSaysThatItHasNone) {
+  OperationList list = a_face();
+  list.operations.push_back(list.operations.front());
+  list.operations.back().taper = 0;
+  EXPECT_EQ(written(list, {"hnc21t", true}),
+            "G90 G21 G36 M3 S500\nG94\nG0 Z2 X60\nG81 Z-3 X20 K-1 F100\nG0 Z2 X60\n"
+            "G94\nG0 Z2 X60\nG81 Z-3 X20 K0 F100\nG0 Z2 X60\nM30\n");
 }
 
 TEST(Operations, ATurningCycleThatRetractsAtRapidIsSeenInStock) {

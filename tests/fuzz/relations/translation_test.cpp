@@ -62,6 +62,9 @@ TEST(Translation, MovesByOffsetsOrFramesWhereTheDialectHasThem) {
   EXPECT_EQ(moved("sinumerik802s", "G1 AP=30 RP=5 F9\n"),
             "G158 X25.4 Y-50.8 Z76.2\nG1 AP=30 RP=5 F9\n");
   EXPECT_EQ(moved("sinumerik802s", "G1 X5 F9\nG158 X5\n"), "none");
+  // Whether an increment goes the translation is open: the words are moved (SIE-FRM-06).
+  EXPECT_EQ(moved("sinumerik802s", "G0 X1\nG91 Y5\n"), "G0 X26.4\nG91 Y5\n");
+  EXPECT_EQ(moved("sinumerik802s", "G0 X1 Y=IC(5)\n"), "G0 X26.4 Y=IC(5)\n");
   const auto related = translated(program_of("hnc21t", "G00 X10\n"));
   EXPECT_EQ(related->program.profile.offsets.at("G59")[reference::Axis::x],
             Number::millionths(25'400'000));
