@@ -72,16 +72,17 @@ bool meets(const Stadium& stadium, const Point& at, std::int64_t half) {
 }
 
 // What strokes may be off leaves open what is smaller than half of it. Where next to nothing may be
-// off, halving has to end all the same: so many squares are divided.
-constexpr std::int64_t kMostSquares = 1 << 16;
+// off, halving has to end all the same: so often a square is held against a stroke.
+constexpr std::int64_t kMostTrials = 1 << 25;
 
 template <typename Area>
 Said said_of(const Cover& cover, const Area& area, const Point& at, std::int64_t half,
-             std::int64_t& squares, std::span<const Stroke> path) {
+             std::int64_t& trials, std::span<const Stroke> path) {
   if (!meets(area, at, half) || (cover.cleared && cover.cleared->has(at, half))) return Said::yes;
   const std::int64_t diagonal = half * 3 / 2 + 1;
   std::vector<Stroke> candidates;
   candidates.reserve(path.size());
+  trials -= static_cast<std::int64_t>(path.size()) + 1;
   bool is_reached = cover.cleared && cover.cleared->has(at, 0);
   for (const Stroke& stroke : path) {
     if (!is_within(at, stroke, cover.reach + cover.slack + diagonal)) continue;
@@ -90,12 +91,12 @@ Said said_of(const Cover& cover, const Area& area, const Point& at, std::int64_t
     candidates.push_back(stroke);
   }
   if (!is_reached && meets(area, at, 0)) return Said::no;
-  if (half <= std::max(cover.raster, cover.slack / 2) || --squares < 0) return Said::near;
+  if (half <= std::max(cover.raster, cover.slack / 2) || trials < 0) return Said::near;
   const std::int64_t quarter = (half + 1) / 2;
   Said all = Said::yes;
   for (const Point& part : {Point{-quarter, -quarter}, Point{quarter, -quarter},
                             Point{-quarter, quarter}, Point{quarter, quarter}}) {
-    const Said said = said_of(cover, area, {at.p + part.p, at.q + part.q}, quarter, squares,
+    const Said said = said_of(cover, area, {at.p + part.p, at.q + part.q}, quarter, trials,
                               std::span<const Stroke>(candidates));
     if (said == Said::no) return said;
     if (said == Said::near) all = said;
@@ -107,16 +108,16 @@ Said said_of(const Cover& cover, const Area& area, const Point& at, std::int64_t
 
 Said Cover::of(const Region& region) const {
   const std::int64_t half = std::max(region.outer.half_p, region.outer.half_q);
-  std::int64_t squares = kMostSquares;
-  return half < 0 ? Said::yes : said_of(*this, region, {}, half, squares, path);
+  std::int64_t trials = kMostTrials;
+  return half < 0 ? Said::yes : said_of(*this, region, {}, half, trials, path);
 }
 
 Said Cover::of(const Stadium& stadium) const {
   const auto [from, to] = stadium.stroke;
   const std::int64_t half =
       std::max(std::abs(to.p - from.p), std::abs(to.q - from.q)) / 2 + stadium.reach + 1;
-  std::int64_t squares = kMostSquares;
-  return said_of(*this, stadium, {(from.p + to.p) / 2, (from.q + to.q) / 2}, half, squares, path);
+  std::int64_t trials = kMostTrials;
+  return said_of(*this, stadium, {(from.p + to.p) / 2, (from.q + to.q) / 2}, half, trials, path);
 }
 
 }  // namespace gonogo::relation
