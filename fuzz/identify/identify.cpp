@@ -235,7 +235,6 @@ void Identifier::note_contradiction(std::size_t run, const std::vector<ReadingKe
   };
   const Constraint last{run, keys, left};
   std::vector<const Constraint*> those = {&last};
-  if (!possible(those)) return;
   for (const Constraint& earlier : constraints_) {
     const std::array<const Constraint*, 2> pair = {&earlier, &last};
     if (possible(pair)) continue;

@@ -82,32 +82,20 @@ std::string pass_fault(const Json& line, const CaseRow& row, const Verdict& now,
                      row.id, motions, now.property_motions);
 }
 
-}  // namespace
-
-VerdictKind told_kind(const Json& line, const CaseRow& row) {
-  if (row.kind != VerdictKind::xfail || line.contains("readings")) return kind_before(line);
-  return verdict_kind(row.departure).value_or(VerdictKind::oracle_error);
-}
-
-std::string mapped_fault(const Json& line, const CaseRow& row, const std::string& path,
-                         const AlarmMap& map) {
-  const std::string told = report::text_of(line, "mapped");
-  if (told.empty() && map.natives().empty()) return {};
-  const RunEnd end = read_trace(path, [](const reference::Record&) { return true; });
+// Whether the line names the entry of the alarm map that the alarm at the end of the trace met.
+std::string mapped_fault(const CaseRow& row, const std::string& told, const RunEnd& end,
+                         const AlarmMap& alarms) {
   const bool is_alarm = end.kind == RunEnd::Kind::alarm;
-  const AlarmMap::Entry* const entry = is_alarm ? map.entry_for(end.alarm.native) : nullptr;
+  const AlarmMap::Entry* const entry = is_alarm ? alarms.entry_for(end.alarm.native) : nullptr;
   const std::string own = entry == nullptr ? std::string() : entry->native;
   if (told == own) return {};
   return fmt::format("{}: the entry of the alarm map was \"{}\", but by the trace it is \"{}\".",
                      row.id, told, own);
 }
 
-std::string trace_fault(const Json& line, const CaseRow& row, const std::string& path,
-                        const Case& test, const Tolerances& tolerances, const Wording& wording) {
-  JudgeSession session(test.profile, test.program, tolerances);
-  const RunEnd end =
-      read_trace(path, [&](const reference::Record& record) { return session.record(record); });
-  const SessionVerdict now = session.finish(end);
+// In what the verdict of the trace differs from the line, apart from the reading that it names.
+std::string verdict_fault(const Json& line, const CaseRow& row, const SessionVerdict& now,
+                          const Wording& wording) {
   const VerdictKind told = told_kind(line, row);
   const VerdictKind kind = now.verdict.kind;
   const bool is_same = told == VerdictKind::xpass ? decision(kind) == Decision::go : told == kind;
@@ -116,10 +104,7 @@ std::string trace_fault(const Json& line, const CaseRow& row, const std::string&
                        name(told), name(kind), now.verdict.message);
   }
   if (told != kind) return {};
-  if (decision(kind) != Decision::go) {
-    std::string fault = line_difference(line, row, now.verdict, wording);
-    return fault.empty() ? reading_fault(row, path, test, tolerances) : fault;
-  }
+  if (decision(kind) != Decision::go) return line_difference(line, row, now.verdict, wording);
   // Where the readings of the run make a pass none, its line says more.
   if (row.kind == kind) {
     std::string fault = pass_fault(line, row, now.verdict, wording);
@@ -132,6 +117,34 @@ std::string trace_fault(const Json& line, const CaseRow& row, const std::string&
   return fmt::format(
       "{}: the readings that explain it were {}, but derived from the trace they are {}.", row.id,
       dump(was), dump(explaining));
+}
+
+}  // namespace
+
+VerdictKind told_kind(const Json& line, const CaseRow& row) {
+  if (row.kind != VerdictKind::xfail || line.contains("readings")) return kind_before(line);
+  return verdict_kind(row.departure).value_or(VerdictKind::oracle_error);
+}
+
+std::string trace_fault(const Json& line, const CaseRow& row, const std::string& path,
+                        const Case& test, const Tolerances& tolerances, const AlarmMap& alarms,
+                        const Wording& wording) {
+  // The alarm map is about the end of the trace, the verdict often about less.
+  const std::string mapped = report::text_of(line, "mapped");
+  const bool needs_end = !mapped.empty() || !alarms.natives().empty();
+  JudgeSession session(test.profile, test.program, tolerances);
+  bool is_open = true;
+  const RunEnd end = read_trace(path, [&](const reference::Record& record) {
+    is_open = is_open && session.record(record);
+    return is_open || needs_end;
+  });
+  const SessionVerdict now = session.finish(is_open ? end : RunEnd{});
+  std::string fault = verdict_fault(line, row, now, wording);
+  const bool departs =
+      decision(now.verdict.kind) != Decision::go && told_kind(line, row) == now.verdict.kind;
+  if (fault.empty() && departs) fault = reading_fault(row, path, test, tolerances);
+  if (!fault.empty() || !needs_end) return fault;
+  return mapped_fault(row, mapped, end, alarms);
 }
 
 }  // namespace gonogo::oracle::evidence

@@ -15,13 +15,11 @@ namespace gonogo::oracle::evidence {
 // change what it was before.
 VerdictKind told_kind(const Json& line, const CaseRow& row);
 
-// In what the verdict of the trace in that file differs from the line, a sentence; empty: in
-// nothing. `test`: as the corpus and the header have it. Throws ResultsError for a trace that is
-// none.
+// In what the line differs from the trace in that file, a sentence; empty: in nothing. `test`: as
+// the corpus and the header have it; `alarms`: the entries of the run's alarm map. Throws
+// ResultsError for a trace that is none.
 std::string trace_fault(const Json& line, const CaseRow& row, const std::string& path,
-                        const Case& test, const Tolerances& tolerances, const Wording& wording);
-// Whether the line names the entry of the alarm map that the alarm of the trace met, likewise.
-std::string mapped_fault(const Json& line, const CaseRow& row, const std::string& path,
-                         const AlarmMap& map);
+                        const Case& test, const Tolerances& tolerances, const AlarmMap& alarms,
+                        const Wording& wording);
 
 }  // namespace gonogo::oracle::evidence

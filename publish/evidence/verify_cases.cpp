@@ -179,10 +179,8 @@ VerdictsAgain::Answer VerdictsAgain::of_trace(const Json& line, const CaseRow& r
   }
   const Tolerances tolerances =
       make_tolerances(tolerances_.subject, test.profile, tolerances_.grants);
-  const std::string path = path_of(test.id);
-  std::string fault = trace_fault(line, row, path, test, tolerances, wording);
-  if (fault.empty()) fault = mapped_fault(line, row, path, alarms_);
-  return {std::move(fault), {}, kFromTrace};
+  return {
+      trace_fault(line, row, path_of(test.id), test, tolerances, alarms_, wording), {}, kFromTrace};
 }
 
 void VerdictsAgain::tell(Findings& findings) const {

@@ -17,8 +17,6 @@
 
 namespace gonogo::oracle::report {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
 // What a verdict depends on, besides the subject and the case.

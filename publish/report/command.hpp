@@ -10,11 +10,13 @@
 
 namespace gonogo::oracle::report {
 
+using Json = nlohmann::ordered_json;
+
 // The values that an option has on a command line, given as two words or with '='.
-std::vector<std::string> option_values(const nlohmann::ordered_json& argv, std::string_view option);
+std::vector<std::string> option_values(const Json& argv, std::string_view option);
 
 // Whether a command line sets a flag; its last mention counts: `--strict`, also `--strict=true`.
-bool is_flag_set(const nlohmann::ordered_json& argv, std::string_view option);
+bool is_flag_set(const Json& argv, std::string_view option);
 
 // Where a run leaves its report unless --report names a folder; one of a few cases does not replace
 // that of a campaign.
@@ -22,11 +24,11 @@ inline constexpr const char* kReportFolder = "report";
 inline constexpr const char* kFewCasesFolder = "again";
 
 // The command line of the run; of a merged one that of its first shard.
-nlohmann::ordered_json run_argv(const nlohmann::ordered_json& header);
+Json run_argv(const Json& header);
 // "builtin-gsk" of builtin:gsk, for a folder; what cannot be kept of a command is left out.
 std::string subject_folder(const std::string& subject);
 // The folder of the report of the run, as its command line has it, for the subject of the header.
-std::string report_folder(const nlohmann::ordered_json& header);
+std::string report_folder(const Json& header);
 
 // How the program is called from here: "./gonogo" or the launcher's path in a checkout, else
 // "gonogo".
@@ -36,9 +38,9 @@ std::string program_word();
 // the subject and the options of the run that a verdict depends on. `header` is that of the
 // results file. A fresh program is a case of the corpus that the run left beside its report.
 enum class CaseOf { corpus, fresh };
-std::string command_for_case(const nlohmann::ordered_json& header, CaseOf of = CaseOf::corpus);
+std::string command_for_case(const Json& header, CaseOf of = CaseOf::corpus);
 // The command that runs all cases again, one after the other in the order of the run: what a
 // subject keeps from one program shows in a later one (state-leak).
-std::string command_for_run(const nlohmann::ordered_json& header);
+std::string command_for_run(const Json& header);
 
 }  // namespace gonogo::oracle::report

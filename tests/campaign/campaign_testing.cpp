@@ -139,8 +139,9 @@ std::string results_of(const Scratch& scratch, const std::string& name,
   const Corpus corpus(scratch.path("corpus"));
   ResultsHeader header;
   header.seed = options.seed;
-  header.subject.everything = maker()->info().everything;
-  header.subject.dialects = maker()->info().dialects;
+  const SubjectInfo info = maker()->info();
+  header.subject.everything = info.everything;
+  header.subject.dialects = info.dialects;
   header.shard = std::to_string(options.shard) + "/" + std::to_string(options.shards);
   ResultsWriter writer(scratch.path(name), header);
   const CampaignEnd end = run_campaign(

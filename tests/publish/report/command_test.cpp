@@ -6,8 +6,6 @@
 namespace gonogo::oracle::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json header_of(const std::string& spec, const Json& argv) {
   return {{"subject", {{"spec", spec}}}, {"seed", 7U}, {"shard", "1/1"}, {"argv", argv}};
 }

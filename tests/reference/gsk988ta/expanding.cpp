@@ -161,6 +161,18 @@ Lines clauses_of(std::string_view program, const Profile& profile, OpenPaths ope
   return text;
 }
 
+Lines admitted_classes_of(std::string_view program, const Profile& profile) {
+  Lines classes;
+  for (const Item& item : expand(program, profile)) {
+    const auto* report = std::get_if<AlarmReport>(&item);
+    if (report == nullptr) continue;
+    for (const AdmittedClass& one : admitted_classes(*report)) {
+      classes.emplace_back(name(one.alarm));
+    }
+  }
+  return classes;
+}
+
 Lines touched_readings(std::string_view program, const Profile& profile, OpenPaths open_paths) {
   grammar::MemorySource bytes(program);
   grammar::LineSource source(bytes);

@@ -55,6 +55,8 @@ std::string ending(std::string_view program, const Profile& profile = {},
 // The clause of each record, level and of the first alarm, in order; without the `end` record.
 Lines clauses_of(std::string_view program, const Profile& profile = {},
                  OpenPaths open_paths = OpenPaths::shown);
+// The classes that the alarm of a program admits, by name.
+Lines admitted_classes_of(std::string_view program, const Profile& profile = {});
 // The readings that a program touches, by name, in the order of the table.
 Lines touched_readings(std::string_view program, const Profile& profile = {},
                        OpenPaths open_paths = OpenPaths::shown);

@@ -14,19 +14,11 @@ namespace {
 
 using Classes = std::set<std::string>;
 
-// All that the alarm of a program admits.
+// All that the alarm of a program admits, each once.
 Classes admitted(std::string_view program, const Profile& profile = hnc()) {
-  grammar::MemorySource bytes(program);
-  grammar::LineSource lines(bytes);
-  Expander expander(profile, lines, OpenPaths::shown);
-  Classes classes;
-  while (const Item* item = expander.next()) {
-    const auto* report = std::get_if<AlarmReport>(item);
-    if (report == nullptr) continue;
-    for (const AdmittedClass& one : admitted_classes(*report)) {
-      EXPECT_TRUE(classes.emplace(name(one.alarm)).second) << program;
-    }
-  }
+  const Lines all = admitted_classes_of(program, profile);
+  Classes classes(all.begin(), all.end());
+  EXPECT_EQ(classes.size(), all.size()) << program;
   return classes;
 }
 
