@@ -44,15 +44,15 @@ CaseJudge::CaseJudge(const CampaignOptions& options, const SubjectMaker& make_su
     : options_(options),
       make_subject_(make_subject),
       known_failures_(options.known_failures),
-      subject_(make()) {
-  subject_->set_run_limit(options_.limits.run * kTimeoutFactor);
-}
+      subject_(make()) {}
 
 // A subject that started once may fail to start again for a passing reason.
 std::unique_ptr<Subject> CaseJudge::make() const {
   for (int tries = 1;; ++tries) {
     try {
-      return make_subject_();
+      std::unique_ptr<Subject> subject = make_subject_();
+      subject->set_run_limit(options_.limits.run * kTimeoutFactor);
+      return subject;
     } catch (const SubjectUnusable&) {
       if (tries >= kTries) throw;
     }
@@ -150,10 +150,7 @@ CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test, const Tole
 }
 
 Subject& CaseJudge::fresh_subject(const reference::Profile& profile) {
-  if (!second_) {
-    second_ = make();
-    second_->set_run_limit(options_.limits.run * kTimeoutFactor);
-  }
+  if (!second_) second_ = make();
   second_->renew();
   second_->configure(profile);
   return *second_;

@@ -30,13 +30,7 @@ class LineText {
     append(value);
   }
   void texts(std::string_view key, const std::vector<std::string>& values) {
-    begin(key);
-    line_ += '[';
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (i > 0) line_ += ',';
-      append(values[i]);
-    }
-    line_ += ']';
+    list(key, values, &LineText::append);
   }
   template <typename Integer>
   void number(std::string_view key, Integer value) {
@@ -49,13 +43,7 @@ class LineText {
     append_json(value);
   }
   void jsons(std::string_view key, const std::vector<std::string>& values) {
-    begin(key);
-    line_ += '[';
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (i > 0) line_ += ',';
-      append_json(values[i]);
-    }
-    line_ += ']';
+    list(key, values, &LineText::append_json);
   }
   void open(std::string_view key) {
     begin(key);
@@ -78,6 +66,16 @@ class LineText {
     line_ += '"';
     line_ += key;
     line_ += "\":";
+  }
+  void list(std::string_view key, const std::vector<std::string>& values,
+            void (LineText::*append_one)(std::string_view)) {
+    begin(key);
+    line_ += '[';
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i > 0) line_ += ',';
+      (this->*append_one)(values[i]);
+    }
+    line_ += ']';
   }
   void append(std::string_view value) {
     if (!std::ranges::all_of(value, is_plain)) {
@@ -103,25 +101,13 @@ class LineText {
   bool first_ = true;
 };
 
-std::string_view basis_text(reference::Basis basis) {
-  switch (basis) {
-    case reference::Basis::text:
-      return "text";
-    case reference::Basis::derived:
-      return "derived";
-    case reference::Basis::silent:
-      return "silent";
-  }
-  return "silent";
-}
-
 // The basis of the expectation that the case departs from. An advice departs from no text, even
 // where its clause has one.
 void append_basis(const Verdict& verdict, LineText& line) {
   if (verdict.kind == VerdictKind::advice) {
-    line.text("basis", basis_text(reference::Basis::silent));
+    line.text("basis", name(reference::Basis::silent));
   } else if (verdict.clause != reference::kNoClause && decision(verdict.kind) == Decision::no_go) {
-    line.text("basis", basis_text(reference::clause(verdict.clause).basis()));
+    line.text("basis", name(reference::clause(verdict.clause).basis()));
   }
 }
 
@@ -239,10 +225,10 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   const bool says_nothing =
       verdict.kind == VerdictKind::oracle_gap || verdict.kind == VerdictKind::skip;
   if (result.expected_gap && says_nothing) line.json("expected", "true");
-  if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
+  const bool is_go = decision(verdict.kind) == Decision::go;
+  if (is_go && verdict.property_motions > 0) {
     line.number("property_motions", verdict.property_motions);
   }
-  const bool is_go = decision(verdict.kind) == Decision::go;
   if (verdict.coordinates && is_go) append_coordinates(*verdict.coordinates, line);
   append_departure(verdict, line);
   if (!result.mapped.empty()) line.text("mapped", result.mapped);
@@ -273,8 +259,7 @@ std::string line_without_timing(std::string_view line) {
 void hash_case_line(std::string_view line, Sha256& hash) {
   if (const std::optional<Timing> timing = timing_in(line)) {
     hash.update(line.substr(0, timing->begin));
-    hash.update(line.substr(timing->end));
-    hash.update("\n");
+    hash.update_line(line.substr(timing->end));
   } else {
     hash.update(hashed_text(Json::parse(line)));
   }

@@ -84,16 +84,16 @@ KnownFailuresUpdate::KnownFailuresUpdate(std::vector<KnownCause> before)
 
 void KnownFailuresUpdate::add(const CaseFacts& facts, VerdictKind kind, const Finding* finding) {
   if (kind == VerdictKind::xfail) {
-    judged_.insert(facts.id);
+    judged_.insert(facts.head.id);
     const Verdict departure = departure_of(facts.head);
     const auto own = std::ranges::find_if(entries_, [&](const auto& one) {
-      return one.second.is(departure) && one.second.covers(facts.id);
+      return one.second.is(departure) && one.second.covers(facts.head.id);
     });
-    if (own != entries_.end()) explained_.emplace(facts.id, own->first);
+    if (own != entries_.end()) explained_.emplace(facts.head.id, own->first);
     return;
   }
   if (!is_judged(kind)) return;
-  judged_.insert(facts.id);
+  judged_.insert(facts.head.id);
   if (finding == nullptr || kind == VerdictKind::xpass) return;
   if (kind == VerdictKind::state_leak) {
     ++unsteady_;
@@ -101,7 +101,7 @@ void KnownFailuresUpdate::add(const CaseFacts& facts, VerdictKind kind, const Fi
     New& fresh = new_[finding->key];
     fresh.reason = fmt::format("Not looked at yet: {}.", finding->text());
     fresh.finding = finding->number;
-    fresh.cases[{kind, facts.head.deviation}].push_back(facts.id);
+    fresh.cases[{kind, facts.head.deviation}].push_back(facts.head.id);
   }
 }
 

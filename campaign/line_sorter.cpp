@@ -21,11 +21,6 @@ namespace {
 // So many runs of a level become one of the next: each line is written once a level.
 constexpr std::size_t kRunsOfALevel = 32;
 
-void update(Sha256& hash, std::string_view line) {
-  hash.update(line);
-  hash.update("\n");
-}
-
 // A sorted run that is read back line by line, and is what was written.
 class RunReader {
  public:
@@ -38,7 +33,7 @@ class RunReader {
       throw ResultsUnwritable(
           fmt::format("Somebody else has written to what is sorted in {}", folder_));
     }
-    update(hash_, line);
+    hash_.update_line(line);
     id = id_of_line(line);
     return true;
   }
@@ -63,6 +58,19 @@ class RunReader {
 }
 
 }  // namespace
+
+FileHandle open_stream(int descriptor, const char* mode) {
+  return FileHandle(descriptor < 0 ? nullptr : ::fdopen(descriptor, mode));
+}
+
+bool write_line(std::FILE* file, std::string_view line) {
+  return std::fwrite(line.data(), 1, line.size(), file) == line.size() &&
+         std::fputc('\n', file) != EOF;
+}
+
+void fail_to_write(const std::string& path, int error) {
+  throw ResultsUnwritable(fmt::format("{} cannot be written: {}", path, std::strerror(error)));
+}
 
 StoredLines::StoredLines(std::FILE* file, std::string name) : file_(file), name_(std::move(name)) {
   if (std::fseek(file_, 0, SEEK_SET) != 0) fail_to_read(name_);
@@ -92,11 +100,8 @@ class LineSorter::RunWriter {
  public:
   RunWriter(FileHandle file, const std::string& folder) : file_(std::move(file)), folder_(folder) {}
   void put(const std::string& line) {
-    if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() ||
-        std::fputc('\n', file_.get()) == EOF) {
-      fail_to_sort(folder_);
-    }
-    update(hash_, line);
+    if (!write_line(file_.get(), line)) fail_to_sort(folder_);
+    hash_.update_line(line);
   }
   Run finish(int level) {
     if (std::fflush(file_.get()) != 0) fail_to_sort(folder_);
@@ -113,7 +118,7 @@ FileHandle LineSorter::temporary() const {
   std::string path = folder_ + "/.sorting-XXXXXX";
   const int descriptor = ::mkostemp(path.data(), O_CLOEXEC);
   if (descriptor >= 0) ::unlink(path.c_str());
-  FileHandle file(descriptor >= 0 ? ::fdopen(descriptor, "w+") : nullptr);
+  FileHandle file = open_stream(descriptor, "w+");
   if (file == nullptr) fail_to_sort(folder_);
   return file;
 }

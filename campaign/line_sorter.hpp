@@ -4,6 +4,7 @@
 // go out to temporary files as sorted runs, which are merged.
 #pragma once
 
+#include <cerrno>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -25,6 +26,13 @@ struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using FileHandle = std::unique_ptr<std::FILE, FileCloser>;
+
+// The stream of a descriptor, which it owns; null where that is -1, or cannot have one.
+FileHandle open_stream(int descriptor, const char* mode);
+// False, and errno, when line and line end cannot be written.
+bool write_line(std::FILE* file, std::string_view line);
+// Throws ResultsUnwritable with the file and the text of the error.
+[[noreturn]] void fail_to_write(const std::string& path, int error = errno);
 
 // The lines of a file from its beginning, without their ends.
 class StoredLines {

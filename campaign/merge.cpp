@@ -17,6 +17,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+using Texts = std::vector<std::string>;
+
 // One of the files, read once to see what it is.
 struct Shard {
   std::string path;
@@ -29,13 +31,10 @@ struct Shard {
   IdSet ids;
 };
 
-bool is_journal(const std::string& path) {
-  return path.ends_with(".part");
-}
-
 ResultsReader open(const std::string& path) {
-  return ResultsReader(
-      path, is_journal(path) ? ResultsReader::Order::as_run : ResultsReader::Order::by_id);
+  const bool is_journal = path.ends_with(".part");
+  return ResultsReader(path,
+                       is_journal ? ResultsReader::Order::as_run : ResultsReader::Order::by_id);
 }
 
 Shard look_at(const std::string& path) {
@@ -44,9 +43,7 @@ Shard look_at(const std::string& path) {
   shard.path = path;
   shard.header = reader.header();
   const std::string text = shard.header.value("shard", "");
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%u/%u%c", &shard.number, &shard.of, &rest) != 2 ||
-      shard.number < 1 || shard.number > shard.of) {
+  if (!read_shard(text, shard.number, shard.of)) {
     throw MergeError(fmt::format("{}: \"{}\" is no shard i/n.", path, text));
   }
   for (CaseHead head; reader.next(head);) {
@@ -107,20 +104,15 @@ void choose(Shard shard, std::map<unsigned, Shard>& shards, std::vector<std::str
   if (later_is_better) before = std::move(shard);
 }
 
-std::vector<std::string> texts(const Json& list) {
-  std::vector<std::string> texts;
-  for (const Json& item : list) texts.push_back(item.get<std::string>());
-  return texts;
-}
-
 // What the footers of the shards say together. The alarm map's entries that no case met are those
 // that are unused in every shard; what is stale otherwise is so in each of them.
 ResultsWriter::Ending ending_of(const std::map<unsigned, Shard>& shards) {
   ResultsWriter::Ending ending;
   const Json& first = *shards.begin()->second.footer;
   const bool alone = shards.begin()->second.of == 1;
-  if (first.contains("unused_alarms")) ending.alarms = texts(first["unused_alarms"]);
-  ending.stale = texts(first.value("stale", Json::array()));
+  if (first.contains("unused_alarms")) ending.alarms = first["unused_alarms"].get<Texts>();
+  const Texts stale = first.value("stale", Texts());
+  ending.stale = stale;
   if (alone && ending.alarms) {
     // They stand among the stale ones already, at the end.
     ending.stale.resize(ending.stale.size() - std::min(ending.stale.size(), ending.alarms->size()));
@@ -129,12 +121,12 @@ ResultsWriter::Ending ending_of(const std::map<unsigned, Shard>& shards) {
     const Json& footer = *shard.footer;
     ending.left_out += footer.value("left_out", std::size_t{0});
     add_fresh(ending.fresh, fresh_from_json(footer.value("fresh", Json::object())));
-    if (texts(footer.value("stale", Json::array())) != texts(first.value("stale", Json::array()))) {
+    if (footer.value("stale", Texts()) != stale) {
       throw MergeError(fmt::format("{} and {} differ in the stale entries of the subject's files.",
                                    shards.begin()->second.path, shard.path));
     }
     if (!ending.alarms) continue;
-    const std::vector<std::string> unused = texts(footer.value("unused_alarms", Json::array()));
+    const Texts unused = footer.value("unused_alarms", Texts());
     std::erase_if(*ending.alarms, [&](const std::string& entry) {
       return std::ranges::find(unused, entry) == unused.end();
     });
@@ -246,7 +238,7 @@ MergeOutcome merge_results(const MergeOptions& options) {
   ResultsWriter writer(options.out, header.dump());
   for (const auto& [number, shard] : shards) add_lines(shard, writer);
   if (outcome.missing.empty()) {
-    outcome.answer = writer.close(ending_of(shards), outcome.footer);
+    outcome.footer = writer.close(ending_of(shards));
   } else {
     writer.close_without_footer();
   }

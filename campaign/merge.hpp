@@ -32,8 +32,7 @@ struct MergeOutcome {
   std::vector<std::string> missing;  // shards that are not there or not complete, and why
   bool has_corpus = false;           // of the run: whether the shards have all cases is checked
   bool written = false;
-  RunAnswer answer;  // when nothing is missing
-  ResultsFooter footer;
+  ResultsFooter footer;  // when nothing is missing
 };
 
 // Throws MergeError, ResultsError for a file that is none, ResultsUnwritable.

@@ -15,23 +15,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json numeric_json(const SubjectInfo& subject) {
-  Json numeric = Json::object();
-  if (subject.says_numeric) numeric["kind"] = subject.numeric_kind;
-  if (subject.resolution) numeric["resolution"] = subject.resolution->text();
-  if (subject.feed_resolution) numeric["feed_resolution"] = subject.feed_resolution->text();
-  if (subject.chord) numeric["chord"] = subject.chord->text();
-  return numeric;
-}
-
-// What it declares of each dialect; null: nothing of any.
-Json dialects_json(const SubjectInfo& subject) {
-  if (subject.everything) return nullptr;
-  Json dialects = Json::object();
-  for (const auto& [dialect, features] : subject.dialects) dialects[dialect] = features;
-  return dialects;
-}
-
 Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
@@ -41,10 +24,6 @@ std::string text_in(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? visible(found->get<std::string>())
                                                      : std::string();
 }
-
-}  // namespace
-
-namespace {
 
 // Several cases, cycles and clauses stand there only where they were asked for.
 Json selection_json(const ResultsHeader& header) {
@@ -59,6 +38,15 @@ Json selection_json(const ResultsHeader& header) {
 
 }  // namespace
 
+Json numeric_json(const SubjectInfo& subject) {
+  Json numeric = Json::object();
+  if (subject.says_numeric) numeric["kind"] = subject.numeric_kind;
+  if (subject.resolution) numeric["resolution"] = subject.resolution->text();
+  if (subject.feed_resolution) numeric["feed_resolution"] = subject.feed_resolution->text();
+  if (subject.chord) numeric["chord"] = subject.chord->text();
+  return numeric;
+}
+
 Json capped_json(const std::vector<std::pair<std::string, Capped>>& capped) {
   Json list = Json::array();
   for (const auto& [dialect, one] : capped) {
@@ -71,6 +59,8 @@ Json capped_json(const std::vector<std::pair<std::string, Capped>>& capped) {
 }
 
 std::string header_line(const ResultsHeader& header) {
+  // What it declares of each; null: nothing of any.
+  const Json dialects = header.subject.everything ? Json(nullptr) : Json(header.subject.dialects);
   Json line;
   line["format"] = kResultsFormat;
   line["gonogo"] = header.version;
@@ -80,7 +70,7 @@ std::string header_line(const ResultsHeader& header) {
   line["subject"] = {{"spec", header.subject_spec},
                      {"name", header.subject.name},
                      {"version", header.subject.version},
-                     {"dialects", dialects_json(header.subject)},
+                     {"dialects", dialects},
                      {"numeric", numeric_json(header.subject)},
                      {"features", header.subject.features}};
   line["profile"] = Json::parse(header.profile.empty() ? "{}" : header.profile);
@@ -113,15 +103,16 @@ Json coordinates_json(const std::map<std::string, RoundingCensus>& coordinates) 
 }
 
 std::string footer_line(const ResultsFooter& footer) {
+  const RunAnswer& answer = footer.answer;
   Json line;
-  line["decision"] = footer.decision;
-  line["head"] = footer.head;
-  line["totals"] = footer.totals;
-  line["cases"] = footer.cases;
-  line["judged"] = footer.judged;
+  line["decision"] = answer.decision;
+  line["head"] = answer.head;
+  line["totals"] = answer.totals;
+  line["cases"] = answer.cases;
+  line["judged"] = answer.judged;
   line["left_out"] = footer.left_out;
-  line["assignments"] = footer.assignments;
-  if (!footer.coordinates.empty()) line["coordinates"] = coordinates_json(footer.coordinates);
+  line["assignments"] = answer.assignments;
+  if (!answer.coordinates.empty()) line["coordinates"] = coordinates_json(answer.coordinates);
   line["stale"] = footer.stale;
   if (footer.unused_alarms) line["unused_alarms"] = *footer.unused_alarms;
   line["fresh"] = fresh_json(footer.fresh);

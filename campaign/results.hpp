@@ -76,14 +76,8 @@ struct CaseResult {
 };
 
 struct ResultsFooter {
-  std::string decision;                       // of the run: GO, NO-GO or UNDECIDED
-  std::string head;                           // of what, in a line
-  std::map<std::string, std::size_t> totals;  // by verdict
-  std::size_t cases = 0;
-  std::size_t judged = 0;                             // ended in GO or NO-GO
-  std::size_t left_out = 0;                           // contradict the certifier's profile
-  std::vector<std::string> assignments;               // readings that explain all passes, "k=v k=v"
-  std::map<std::string, RoundingCensus> coordinates;  // as in RunAnswer
+  RunAnswer answer;
+  std::size_t left_out = 0;  // contradict the certifier's profile
   // Entries of the subject's files that are no longer true.
   std::vector<std::string> stale;
   // Entries of the alarm map that no case met; nothing when cases were left out by choice. Stale
@@ -94,6 +88,9 @@ struct ResultsFooter {
 };
 
 std::string header_line(const ResultsHeader& header);
+// The key `numeric` of a subject: what it says itself.
+nlohmann::ordered_json numeric_json(const SubjectInfo& subject);
+
 // The key `capped` of the header.
 nlohmann::ordered_json capped_json(const std::vector<std::pair<std::string, Capped>>& capped);
 std::string footer_line(const ResultsFooter& footer);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 
 namespace gonogo::oracle {
 
@@ -28,6 +29,7 @@ constexpr Kind kText = {"text",
 constexpr Kind kFlag = {"true or false", [](const Json& value) { return value.is_boolean(); }};
 constexpr Kind kCount = {"count", [](const Json& value) { return value.is_number_unsigned(); }};
 constexpr Kind kObject = {"object", [](const Json& value) { return value.is_object(); }};
+constexpr Kind kAny = {"value", [](const Json&) { return true; }};
 constexpr Kind kList = {"list", [](const Json& value) { return value.is_array(); }};
 constexpr Kind kTexts = {"list of texts", are_texts};
 constexpr Kind kShards = {
@@ -48,68 +50,86 @@ constexpr Kind kCounts = {"object of counts", [](const Json& value) {
                           }};
 
 struct Member {
-  const char* outer;  // the object that it stands in; null: the line itself
-  const char* key;
+  const char* place;  // a JSON pointer
   Kind kind;
 };
 
 // An outer object stands before its members.
-constexpr Member kHeader[] = {{nullptr, "gonogo", kText},
-                              {nullptr, "gauge", kObject},
-                              {"gauge", "commit", kText},
-                              {nullptr, "corpus", kObject},
-                              {"corpus", "version", kText},
-                              {"corpus", "sha256", kText},
-                              {nullptr, "subject", kObject},
-                              {"subject", "spec", kText},
-                              {"subject", "name", kText},
-                              {"subject", "version", kText},
-                              {"subject", "dialects", kTextsByName},
-                              {"subject", "numeric", kObject},
-                              {"subject", "features", kTexts},
-                              {nullptr, "profile", kObject},
-                              {nullptr, "readings", kTexts},
-                              {nullptr, "tolerance", kText},
-                              {nullptr, "chord", kText},
-                              {nullptr, "feed_resolution", kText},
-                              {nullptr, "blend", kText},
-                              {nullptr, "feed_tolerance", kText},
-                              {nullptr, "show_ids", kFlag},
-                              {nullptr, "strict", kFlag},
-                              {nullptr, "sandbox", kText},
-                              {nullptr, "capped", kList},
-                              {nullptr, "selection", kObject},
-                              {"selection", "dialects", kTexts},
-                              {"selection", "only", kTexts},
-                              {"selection", "case", kText},
-                              {"selection", "cases", kTexts},
-                              {"selection", "cycles", kTexts},
-                              {"selection", "clauses", kTexts},
-                              {nullptr, "known_failures", kText},
-                              {nullptr, "alarm_map", kText},
-                              {nullptr, "seed", kCount},
-                              {nullptr, "shard", kText},
-                              {nullptr, "argv", kTexts},
-                              {nullptr, "shards", kShards}};
-
-constexpr Member kFooter[] = {{nullptr, "decision", kText},     {nullptr, "head", kText},
-                              {nullptr, "totals", kCounts},     {nullptr, "cases", kCount},
-                              {nullptr, "judged", kCount},      {nullptr, "left_out", kCount},
-                              {nullptr, "assignments", kTexts}, {nullptr, "coordinates", kObject},
-                              {nullptr, "stale", kTexts},       {nullptr, "unused_alarms", kTexts},
-                              {nullptr, "fresh", kObject},      {nullptr, "sha256", kText}};
+constexpr Member kHeader[] = {{"/format", kAny},
+                              {"/gonogo", kText},
+                              {"/gauge", kObject},
+                              {"/gauge/commit", kText},
+                              {"/gauge/sha256", kAny},
+                              {"/corpus", kObject},
+                              {"/corpus/version", kText},
+                              {"/corpus/sha256", kText},
+                              {"/subject", kObject},
+                              {"/subject/spec", kText},
+                              {"/subject/name", kText},
+                              {"/subject/version", kText},
+                              {"/subject/dialects", kTextsByName},
+                              {"/subject/numeric", kObject},
+                              {"/subject/numeric/kind", kAny},
+                              {"/subject/numeric/resolution", kAny},
+                              {"/subject/numeric/feed_resolution", kAny},
+                              {"/subject/numeric/chord", kAny},
+                              {"/subject/features", kTexts},
+                              {"/profile", kObject},
+                              {"/machine", kAny},
+                              {"/machine/dialect", kAny},
+                              {"/machine/sets", kAny},
+                              {"/readings", kTexts},
+                              {"/tolerance", kText},
+                              {"/chord", kText},
+                              {"/feed_resolution", kText},
+                              {"/blend", kText},
+                              {"/feed_tolerance", kText},
+                              {"/show_ids", kFlag},
+                              {"/strict", kFlag},
+                              {"/sandbox", kText},
+                              {"/capped", kList},
+                              {"/selection", kObject},
+                              {"/selection/dialects", kTexts},
+                              {"/selection/only", kTexts},
+                              {"/selection/case", kText},
+                              {"/selection/cases", kTexts},
+                              {"/selection/cycles", kTexts},
+                              {"/selection/clauses", kTexts},
+                              {"/known_failures", kText},
+                              {"/alarm_map", kText},
+                              {"/seed", kCount},
+                              {"/shard", kText},
+                              {"/argv", kTexts},
+                              {"/shards", kShards}};
+constexpr Member kFooter[] = {
+    {"/decision", kText},       {"/head", kText},          {"/totals", kCounts},
+    {"/cases", kCount},         {"/judged", kCount},       {"/left_out", kCount},
+    {"/assignments", kTexts},   {"/coordinates", kObject}, {"/stale", kTexts},
+    {"/unused_alarms", kTexts}, {"/fresh", kObject},       {"/sha256", kText}};
 
 std::optional<std::string> fault_of(const Json& line, std::span<const Member> members) {
   for (const Member& member : members) {
-    const auto outer = member.outer == nullptr ? line.end() : line.find(member.outer);
-    if (member.outer != nullptr && outer == line.end()) continue;
-    const Json& object = member.outer == nullptr ? line : *outer;
-    const auto value = object.find(member.key);
-    if (value == object.end() || member.kind.holds(*value)) continue;
-    const std::string within = member.outer == nullptr ? "" : fmt::format("/{}", member.outer);
-    return fmt::format("has no {} at {}/{}", member.kind.name, within, member.key);
+    const Json::json_pointer place(member.place);
+    if (!line.contains(place) || member.kind.holds(line.at(place))) continue;
+    return fmt::format("has no {} at {}", member.kind.name, member.place);
   }
   return std::nullopt;
+}
+
+// Members are looked at where the table has some of them.
+std::string surplus_of(const Json& object, std::span<const Member> members,
+                       const std::string& above = {}) {
+  for (const auto& [key, value] : object.items()) {
+    const std::string place = above + "/" + key;
+    const auto is_it = [&](const Member& member) { return member.place == place; };
+    const auto is_below = [&](const Member& member) {
+      return std::string_view(member.place).starts_with(place + "/");
+    };
+    if (key.find('/') != std::string::npos || std::ranges::none_of(members, is_it)) return place;
+    if (!value.is_object() || std::ranges::none_of(members, is_below)) continue;
+    if (std::string below = surplus_of(value, members, place); !below.empty()) return below;
+  }
+  return {};
 }
 
 }  // namespace
@@ -120,6 +140,14 @@ std::optional<std::string> header_fault(const Json& header) {
 
 std::optional<std::string> footer_fault(const Json& footer) {
   return fault_of(footer, kFooter);
+}
+
+std::string header_surplus(const Json& header) {
+  return surplus_of(header, kHeader);
+}
+
+std::string footer_surplus(const Json& footer) {
+  return surplus_of(footer, kFooter);
 }
 
 }  // namespace gonogo::oracle

@@ -14,5 +14,8 @@ namespace gonogo::oracle {
 // that is there is of its kind. Keys that the format does not have are not looked at.
 std::optional<std::string> header_fault(const nlohmann::ordered_json& header);
 std::optional<std::string> footer_fault(const nlohmann::ordered_json& footer);
+// A key that the format does not have, as a place: "/subject/colour". Empty: there is none.
+std::string header_surplus(const nlohmann::ordered_json& header);
+std::string footer_surplus(const nlohmann::ordered_json& footer);
 
 }  // namespace gonogo::oracle

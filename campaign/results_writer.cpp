@@ -6,8 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -24,10 +22,6 @@ namespace gonogo::oracle {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-[[noreturn]] void fail_to_write(const std::string& path) {
-  throw ResultsUnwritable(fmt::format("{} cannot be written: {}", path, std::strerror(errno)));
-}
 
 std::string folder_of(const std::string& path) {
   const std::filesystem::path parent = std::filesystem::path(path).parent_path();
@@ -97,8 +91,7 @@ void remove_views(const std::filesystem::path& folder) {
 class ResultsWriter::Sorted {
  public:
   explicit Sorted(const std::string& path) : path_(path), sorted_(path + ".sorted") {
-    const int descriptor = create_anew(sorted_);
-    file_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
+    file_ = open_stream(create_anew(sorted_), "w");
     if (file_ == nullptr) fail_to_write(sorted_);
   }
   Sorted(const Sorted&) = delete;
@@ -109,12 +102,8 @@ class ResultsWriter::Sorted {
   }
 
   void put(const std::string& line) {
-    if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() ||
-        std::fputc('\n', file_.get()) == EOF) {
-      fail_to_write(sorted_);
-    }
-    hash_.update(line);
-    hash_.update("\n");
+    if (!write_line(file_.get(), line)) fail_to_write(sorted_);
+    hash_.update_line(line);
   }
   // The hash of all that was put.
   std::string finish() {
@@ -136,29 +125,23 @@ class ResultsWriter::Sorted {
 };
 
 ResultsWriter::ResultsWriter(std::string path, const ResultsHeader& header, Start start)
-    : path_(std::move(path)), header_(header_line(header)), lock_(path_), lines_(folder_of(path_)) {
-  start == Start::resume&& has_header(journal_of(path_)) ? resume() : create();
-}
+    : ResultsWriter(std::move(path), header_line(header), start) {}
 
-ResultsWriter::ResultsWriter(std::string path, std::string header)
+ResultsWriter::ResultsWriter(std::string path, std::string header, Start start)
     : path_(std::move(path)), header_(std::move(header)), lock_(path_), lines_(folder_of(path_)) {
-  create();
-}
-
-void ResultsWriter::create() {
   const std::string journal = journal_of(path_);
   check_own(path_);
   check_own(journal);
-  const int descriptor = create_anew(journal);
-  journal_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
-  if (journal_ == nullptr) fail_to_write(journal);
-  write(header_);
+  if (start == Start::resume && has_header(journal)) {
+    resume(journal);
+  } else {
+    journal_ = open_stream(create_anew(journal), "w");
+    if (journal_ == nullptr) fail_to_write(journal);
+    write(header_);
+  }
 }
 
-void ResultsWriter::resume() {
-  const std::string journal = journal_of(path_);
-  check_own(path_);
-  check_own(journal);
+void ResultsWriter::resume(const std::string& journal) {
   std::uint64_t whole = 0;
   try {
     ResultsReader reader(journal, ResultsReader::Order::as_run);
@@ -181,8 +164,7 @@ void ResultsWriter::resume() {
   } catch (const ResultsError& error) {
     throw ResultsRefused(fmt::format("{} Leave --resume out to begin the run anew.", error.what()));
   }
-  const int descriptor = ::open(journal.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
-  journal_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
+  journal_ = open_stream(::open(journal.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC), "w");
   if (journal_ == nullptr ||
       ::ftruncate(::fileno(journal_.get()), static_cast<off_t>(whole)) != 0 ||
       std::fseek(journal_.get(), 0, SEEK_END) != 0) {
@@ -192,8 +174,7 @@ void ResultsWriter::resume() {
 
 // Line by line to the system, so that a killed run loses none.
 void ResultsWriter::write(std::string_view line) {
-  if (std::fwrite(line.data(), 1, line.size(), journal_.get()) != line.size() ||
-      std::fputc('\n', journal_.get()) == EOF || std::fflush(journal_.get()) != 0) {
+  if (!write_line(journal_.get(), line) || std::fflush(journal_.get()) != 0) {
     fail_to_write(journal_of(path_));
   }
 }
@@ -214,7 +195,7 @@ void ResultsWriter::add_line(std::string_view line) {
   lines_.add(std::string(line));
 }
 
-RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, const Visit& visit) {
+ResultsFooter ResultsWriter::close(const Ending& ending, const Visit& visit) {
   Sorted out(path_);
   out.put(header_);
   Sha256 hash;
@@ -240,9 +221,9 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
   if (visited != added) {
     throw ResultsUnwritable(fmt::format("{} of {} cases were read back", visited, added));
   }
+  ResultsFooter footer;
   footer.left_out = ending.left_out;
   footer.stale = ending.stale;
-  footer.unused_alarms.reset();
   if (ending.alarms) {
     footer.unused_alarms.emplace();
     std::ranges::copy_if(*ending.alarms, std::back_inserter(*footer.unused_alarms),
@@ -256,19 +237,12 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
   footer.fresh = ending.fresh;
   RunConditions conditions = conditions_of(Json::parse(header_));
   conditions.fresh = footer.fresh;
-  const RunAnswer answer = tally.finish(footer.stale, conditions);
-  footer.decision = answer.decision;
-  footer.head = answer.head;
-  footer.totals = answer.totals;
-  footer.cases = answer.cases;
-  footer.judged = answer.judged;
-  footer.assignments = answer.assignments;
-  footer.coordinates = answer.coordinates;
+  footer.answer = tally.finish(footer.stale, conditions);
   footer.sha256 = hash.hex();
   if (ending.is_complete) out.put(footer_line(footer));
   file_sha256_ = out.finish();
   ::unlink(journal_of(path_).c_str());
-  return answer;
+  return footer;
 }
 
 void ResultsWriter::close_without_footer() {

@@ -39,7 +39,7 @@ class ResultsWriter {
   // header may differ in argv and seed only.
   ResultsWriter(std::string path, const ResultsHeader& header, Start start = Start::anew);
   // With a header line that is there already.
-  ResultsWriter(std::string path, std::string header);
+  ResultsWriter(std::string path, std::string header, Start start = Start::anew);
   ResultsWriter(const ResultsWriter&) = delete;
   ResultsWriter& operator=(const ResultsWriter&) = delete;
 
@@ -78,7 +78,7 @@ class ResultsWriter {
   // `visit` sees each case line as it is written. Throws ResultsUnwritable, and std::runtime_error
   // when a case is there twice.
   using Visit = std::function<void(const std::string& line, VerdictKind kind)>;
-  RunAnswer close(const Ending& ending, ResultsFooter& footer, const Visit& visit = nullptr);
+  ResultsFooter close(const Ending& ending, const Visit& visit = nullptr);
   // Writes the sorted lines without a footer: an incomplete file.
   void close_without_footer();
   // The hash of the whole file that was put in place.
@@ -86,8 +86,7 @@ class ResultsWriter {
 
  private:
   class Sorted;
-  void resume();
-  void create();
+  void resume(const std::string& journal);
   void write(std::string_view line);
   void count(const std::string& dialect, VerdictKind kind);
 

@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "campaign/results_reader.hpp"
@@ -21,6 +22,11 @@ bool matches(const std::vector<std::string>& globs, const std::string& id) {
   if (globs.empty()) return true;
   return std::ranges::any_of(
       globs, [&](const std::string& glob) { return ::fnmatch(glob.c_str(), id.c_str(), 0) == 0; });
+}
+
+// Whether it is one of the names; none: all are asked for.
+bool is_asked(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
 // Whether two profiles set one key to different values; else `into` takes the keys of `from` in.
@@ -82,9 +88,7 @@ CampaignOptions asked_in(const Json& header) try {
   asked.readings = header.value("readings", std::vector<std::string>());
   asked.seed = header.value("seed", std::uint64_t{0});
   const auto shard = header.at("shard").get<std::string>();
-  char rest = 0;
-  if (std::sscanf(shard.c_str(), "%u/%u%c", &asked.shard, &asked.shards, &rest) != 2 ||
-      asked.shard < 1 || asked.shard > asked.shards) {
+  if (!read_shard(shard, asked.shard, asked.shards)) {
     throw ResultsError(fmt::format("The header's shard \"{}\" is no shard i/n.", shard));
   }
   read_machine(header, asked);
@@ -97,31 +101,26 @@ unsigned shard_of(std::string_view id, unsigned shards) {
   return static_cast<unsigned>(leading_bytes(id) % shards) + 1;
 }
 
+bool read_shard(const std::string& text, unsigned& number, unsigned& of) {
+  char rest = 0;
+  return std::sscanf(text.c_str(), "%u/%u%c", &number, &of, &rest) == 2 && number >= 1 &&
+         number <= of;
+}
+
 bool is_selected(const CampaignOptions& options, const Case& test) {
-  const auto is_named = [](const std::vector<std::string>& names, const std::string& name) {
-    return names.empty() || std::ranges::find(names, name) != names.end();
-  };
-  if (!is_named(options.cases, test.id) || !is_named(options.cycles, test.cycle)) return false;
-  if (!options.clauses.empty() && std::ranges::none_of(test.clauses, [&](const auto& clause) {
-        return is_named(options.clauses, clause);
-      })) {
-    return false;
-  }
-  if (!options.dialects.empty() &&
-      std::ranges::find(options.dialects, test.dialect) == options.dialects.end()) {
-    return false;
-  }
-  if (options.shards > 1 && shard_of(test.id, options.shards) != options.shard) return false;
-  return matches(options.only, test.id);
+  const auto is_of_clause = [&](const auto& clause) { return is_asked(options.clauses, clause); };
+  return is_asked(options.cases, test.id) && is_asked(options.cycles, test.cycle) &&
+         (options.clauses.empty() || std::ranges::any_of(test.clauses, is_of_clause)) &&
+         is_asked(options.dialects, test.dialect) &&
+         (options.shards <= 1 || shard_of(test.id, options.shards) == options.shard) &&
+         matches(options.only, test.id);
 }
 
 CappedDeclarations capped_declarations(const CampaignOptions& options, const SubjectInfo& subject) {
   CappedDeclarations found;
   for (const reference::Dialect& dialect : reference::dialects()) {
     const std::string name(dialect.name);
-    const bool asked = options.dialects.empty() ||
-                       std::ranges::find(options.dialects, name) != options.dialects.end();
-    if (!asked || !subject.declares(name, "")) continue;
+    if (!is_asked(options.dialects, name) || !subject.declares(name, "")) continue;
     const bool is_set = options.profile && options.profile->dialect == name;
     const auto machine =
         is_set ? *options.profile : std::get<reference::Profile>(reference::default_profile(name));

@@ -15,6 +15,9 @@ namespace gonogo::oracle {
 // Shard (from 1) of a case id: first 8 bytes of its SHA-256 modulo the number of shards, plus 1.
 unsigned shard_of(std::string_view id, unsigned shards);
 
+// Reads "i/n"; false when it is not of that form with 1 <= i <= n.
+bool read_shard(const std::string& text, unsigned& number, unsigned& of);
+
 bool is_selected(const CampaignOptions& options, const Case& test);
 
 // What the header of a results file says of it: selection, shard, seed, profile and readings.

@@ -68,13 +68,10 @@ CaseFacts facts_of(std::string_view case_line) {
   const object& source = std::get<object>(parsed);
   CaseFacts facts;
   read_case_head(case_line, facts.head);
-  facts.id = text_of(source, "id");
-  facts.dialect = text_of(source, "dialect");
-  if (facts.id.empty() || facts.dialect.empty()) fail(case_line, "It needs id and dialect.");
+  if (facts.head.id.empty() || facts.head.dialect.empty())
+    fail(case_line, "It needs id and dialect.");
   facts.verdict = verdict_of(source, case_line);
   facts.mapped = text_of(source, "mapped");
-  bool expected = false;
-  facts.expected_gap = source["expected"].get(expected) == simdjson::SUCCESS && expected;
   object coordinates;
   if (source["coordinates"].get(coordinates) == simdjson::SUCCESS) {
     facts.coordinates = coordinates_of(coordinates, case_line);
@@ -95,11 +92,11 @@ VerdictKind Tally::add(const CaseFacts& facts) {
   VerdictKind kind = facts.verdict;
   conflict_.reset();
   if (facts.readings && decision(kind) == Decision::go) {
-    conflict_ = readings_.add(facts.id, *facts.readings);
+    conflict_ = readings_.add(facts.head.id, *facts.readings);
     const bool is_known = !facts.readings->known.empty();
     if (conflict_) {
       kind = is_known ? VerdictKind::xfail : VerdictKind::fail_reading;
-      if (answer_.reading_conflict.empty()) answer_.reading_conflict = facts.id;
+      if (answer_.reading_conflict.empty()) answer_.reading_conflict = facts.head.id;
     } else if (is_known) {
       kind = VerdictKind::xpass;
     }
@@ -107,14 +104,14 @@ VerdictKind Tally::add(const CaseFacts& facts) {
   answer_.scope.add(facts.head, kind);
   ++answer_.cases;
   ++answer_.totals[std::string(name(kind))];
-  std::size_t& judged = judged_by_dialect_[facts.dialect];
+  std::size_t& judged = judged_by_dialect_[facts.head.dialect];
   const Decision answer = decision(kind);
   if (answer == Decision::no_go) ++answer_.no_go;
   if (answer == Decision::go && facts.coordinates) {
-    answer_.coordinates[facts.dialect].add(*facts.coordinates);
+    answer_.coordinates[facts.head.dialect].add(*facts.coordinates);
   }
   if (kind == VerdictKind::oracle_error) ++answer_.oracle_errors;
-  if (kind == VerdictKind::oracle_gap && !facts.expected_gap) ++answer_.unexpected_gaps;
+  if (kind == VerdictKind::oracle_gap && !facts.head.expected) ++answer_.unexpected_gaps;
   if (is_judged(kind)) {
     ++answer_.judged;
     ++judged;

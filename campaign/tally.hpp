@@ -23,14 +23,11 @@ namespace gonogo::oracle {
 
 // The facts of a case on which the answer of a run depends.
 struct CaseFacts {
-  std::string id;
-  std::string dialect;
+  CaseHead head;                                  // what lists show of the line
   VerdictKind verdict = VerdictKind::pass_exact;  // before the readings of the run are reconciled
-  bool expected_gap = false;                      // the corpus expects that the gauge cannot say
   std::optional<OpenReadings> readings;           // of a GO that touched open readings
   std::string mapped;  // the entry of the alarm map that gave the alarm its class; empty: none
   std::optional<RoundingCensus> coordinates;  // of a GO: those that were compared
-  CaseHead head;                              // what lists show of the line
 };
 
 // The facts of a case line of results.jsonl. Throws std::runtime_error with a sentence when the

@@ -5,19 +5,15 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "oracle/steps/step_text.hpp"
+#include "campaign/results.hpp"
 #include "oracle/records/output_file.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 namespace {
-
-[[noreturn]] void fail_to_write(const std::string& path, int error) {
-  throw ResultsUnwritable(fmt::format("{} cannot be written: {}", path, std::strerror(error)));
-}
 
 std::string subject_json(const SubjectInfo& subject) {
   nlohmann::ordered_json reply;
@@ -25,13 +21,7 @@ std::string subject_json(const SubjectInfo& subject) {
   reply["subject"] = {{"name", subject.name}, {"version", subject.version}};
   if (!subject.everything) reply["dialects"] = subject.dialects;
   reply["features"] = subject.features;
-  reply["numeric"] = nlohmann::ordered_json::object();
-  if (subject.says_numeric) reply["numeric"]["kind"] = subject.numeric_kind;
-  if (subject.resolution) reply["numeric"]["resolution"] = subject.resolution->text();
-  if (subject.feed_resolution) {
-    reply["numeric"]["feed_resolution"] = subject.feed_resolution->text();
-  }
-  if (subject.chord) reply["numeric"]["chord"] = subject.chord->text();
+  reply["numeric"] = numeric_json(subject);
   return reply.dump() + "\n";
 }
 
@@ -41,8 +31,7 @@ TraceFile::TraceFile(const std::string& folder, std::string_view id, int number)
     : path_(fmt::format("{}/{}.jsonl", folder, id)),
       part_(number == 1 ? path_ + ".part" : fmt::format("{}.{}.part", path_, number)) {
   ::unlink(path_.c_str());
-  const int descriptor = create_anew(part_);
-  file_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
+  file_ = open_stream(create_anew(part_), "w");
   if (file_ == nullptr) error_ = errno;
 }
 
@@ -51,11 +40,7 @@ TraceFile::~TraceFile() {
 }
 
 void TraceFile::put(const std::string& line) {
-  if (error_ != 0) return;
-  if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() ||
-      std::fputc('\n', file_.get()) == EOF) {
-    error_ = errno;
-  }
+  if (error_ == 0 && !write_line(file_.get(), line)) error_ = errno;
 }
 
 void TraceFile::record(const reference::Record& record) {

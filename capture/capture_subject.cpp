@@ -13,8 +13,8 @@
 #include "oracle/records/features.hpp"
 #include "oracle/records/input_file.hpp"
 #include "oracle/records/trace_reader.hpp"
-#include "subjects/start_reply.hpp"
 #include "reference/dialect.hpp"
+#include "subjects/start_reply.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -46,9 +46,10 @@ void declare_everything(SubjectInfo& info) {
   }
 }
 
-// Whether the recorded traces name source lines: one of those that begin with a motion does there.
-// An `end` or an alarm needs no line.
+// Whether the recorded traces name source lines: all of those that begin with a record do there. An
+// `end` or an alarm needs no line.
 bool traces_name_blocks(const fs::path& folder) {
+  bool any = false;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".jsonl") continue;
     std::ifstream file = open_regular(entry.path());
@@ -57,13 +58,13 @@ bool traces_name_blocks(const fs::path& folder) {
       if (line.find("\"k\"") == std::string::npos) continue;
       const TraceLine read = reader.read(line);
       const auto* record = std::get_if<reference::Record>(&read);
-      if (record != nullptr && record->kind != reference::RecordKind::end && record->block != 0) {
-        return true;
-      }
+      if (record == nullptr || record->kind == reference::RecordKind::end) break;
+      if (record->block == 0) return false;
+      any = true;
       break;
     }
   }
-  return false;
+  return any;
 }
 
 SubjectInfo read_info(const fs::path& folder) {
@@ -143,7 +144,6 @@ std::optional<fs::path> CaptureSubject::find(const std::string& id, std::string_
 }
 
 RunEnd CaptureSubject::run(std::string_view id, std::string_view, const RecordSink& sink) {
-  RunEnd end;
   const std::string name(id);
   const auto exported = programs_.find(name);
   const std::uint64_t header = exported != programs_.end() ? exported->second.header_lines : 0;
@@ -152,24 +152,23 @@ RunEnd CaptureSubject::run(std::string_view id, std::string_view, const RecordSi
   }
   const auto path = find(name, ".csv");
   if (!path) {
-    end.kind = RunEnd::Kind::skip;
+    RunEnd end = RunEnd::of(
+        RunEnd::Kind::skip,
+        fmt::format("{} holds neither a .jsonl nor a .csv of the case.", folder_.string()));
     end.feature = "capture";
-    end.message =
-        fmt::format("{} holds neither a .jsonl nor a .csv of the case.", folder_.string());
     return end;
   }
   SampledTolerances sampled = sampled_;
   sampled.header_lines = header;
   try {
-    end = check_samples(path->string(), sampled);
+    RunEnd end = check_samples(path->string(), sampled);
     leave_header(end.alarm, header);
     end.notes = fmt::format("{}{}", kSampledNote, path->filename().string());
     end.sampled = std::make_shared<const CapturedSamples>(path->string(), std::move(sampled));
+    return end;
   } catch (const SampleFault& fault) {
-    end.kind = RunEnd::Kind::protocol;
-    end.message = fault.what();
+    return RunEnd::of(RunEnd::Kind::protocol, fault.what());
   }
-  return end;
 }
 
 }  // namespace

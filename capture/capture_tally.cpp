@@ -70,7 +70,9 @@ void CaptureTally::take(const std::string& line) {
     go_from_.push_back(worst);
     if (worst > worst_ || worst_where_.empty()) {
       worst_ = worst;
-      worst_where_ = fmt::format("line {} of {}", found->value("b", 0), id);
+      const std::string place =
+          found->contains("b") ? fmt::format("line {} of ", found->value("b", 0)) : "";
+      worst_where_ = found->contains("at") ? place + id : "no sample is off the path";
     }
   } else if (found->contains("go_from")) {
     go_from_.push_back(number_in(*found, "go_from"));
@@ -120,8 +122,8 @@ std::string CaptureTally::text() const {
     before = count;
   }
   if (too_fine_ > 0) {
-    text += fmt::format(
-        "  {} cases are undecided: the tolerance is finer than their samples are\n", too_fine_);
+    text += fmt::format("  {} cases are undecided: the tolerance is finer than their samples are\n",
+                        too_fine_);
   }
   if (const auto suggested = suggested_tolerance()) {
     text += fmt::format("  suggested: --tolerance {}\n", suggested->text());

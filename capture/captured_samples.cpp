@@ -45,7 +45,7 @@ class CapturedSamples::Judging {
   bool go_with_half_x();
   bool has_hole() const { return quick(longest_) > sampled_.longest_interval; }
   std::vector<std::string> drawn_samples(const Verdict& verdict) const;
-  std::unique_ptr<SampledRun> run(bool strict, double way_factor) const;
+  std::unique_ptr<SampledRun> run(bool strict, double way_factor);
   SampledVerdict complete(const SampledRun& run) const;
   SampledVerdict departed(const SampledRun& run) const;
   // What a judge of records says of the end when the samples are those of so many pieces.
@@ -56,9 +56,9 @@ class CapturedSamples::Judging {
   ProgramText program_;
   Tolerances tolerances_;
   const RunEnd& end_;
-  mutable Sample last_;
-  mutable reference::AxisSet seen_;
-  mutable double following_ = 0;
+  Sample last_;
+  reference::AxisSet seen_;
+  double following_ = 0;
   WorstSample worst_;
   Number longest_ = 0;  // s, between two samples of the program
   SampledTolerances sampled_;
@@ -77,7 +77,7 @@ Number upward(double value) {
 
 }  // namespace
 
-std::unique_ptr<SampledRun> CapturedSamples::Judging::run(bool strict, double way_factor) const {
+std::unique_ptr<SampledRun> CapturedSamples::Judging::run(bool strict, double way_factor) {
   SampleReader reader(samples_.path_, sampled_.columns);
   seen_ = reader.axes();
   auto run = std::make_unique<SampledRun>(profile_, program_, tolerances_, sampled_, seen_, strict,
@@ -98,8 +98,9 @@ bool CapturedSamples::Judging::go_at(const Number& tolerance) {
   const Number kept = std::exchange(tolerances_.tolerance, tolerance);
   const Verdict verdict = judge_here().verdict;
   tolerances_.tolerance = kept;
-  // No tolerance fills a hole.
-  return decision(verdict.kind) == Decision::go || verdict.gap == GapReason::samples_hole;
+  // No tolerance fills a hole, or makes a stand shorter.
+  return decision(verdict.kind) == Decision::go || verdict.gap == GapReason::samples_hole ||
+         verdict.gap == GapReason::samples_stand;
 }
 
 std::optional<Number> CapturedSamples::Judging::go_from() {
@@ -231,6 +232,9 @@ SampledVerdict CapturedSamples::Judging::complete(const SampledRun& run) const {
   if (decision(verdict.kind) == Decision::go) {
     verdict.kind = VerdictKind::pass_tolerance;
     verdict.message = run.summary();
+    // Those of the reference's own motions, which stand for the samples here.
+    verdict.coordinates.reset();
+    verdict.property_motions = 0;
     if (run.not_shown() != GapReason::none) {
       verdict = gap_verdict(run.not_shown(), std::move(verdict.message));
     }

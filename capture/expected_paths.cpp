@@ -43,7 +43,7 @@ Json piece_json(const PathPiece& piece) {
   const Record& record = piece.motion().record;
   json["k"] = kind_name(piece);
   if (piece.kind() == PieceKind::open) {
-    json["why"] = piece.why();
+    json["why"] = piece.text();
     return json;
   }
   if (record.block != 0) json["b"] = record.block;

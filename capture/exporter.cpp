@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "capture/expected_paths.hpp"
-#include "capture/export_header.hpp"
 #include "capture/number_json.hpp"
 #include "oracle/records/output_file.hpp"
 #include "reference/dialect.hpp"
@@ -66,49 +63,30 @@ Json set_up_of(const reference::Profile& profile) {
 
 }  // namespace
 
-struct Exporter::Impl {
-  fs::path folder;
-  ExportOptions options;
-  ExportTitle title;
-  std::uint64_t header_lines = 0;  // of the certifier's text
-  std::size_t cases = 0;
-  std::size_t alarms = 0;
-  std::string expected;  // a line a program
-  Json programs = Json::array();
-  std::map<std::string, std::size_t> set_ups;                // dialect and keys -> cases
-  std::map<std::string, std::vector<std::string>> left_out;  // reason -> ids
-
-  // Why the case is not exported; empty: it is.
-  std::string_view obstacle(const Case& test, const Extents& extents) const;
-  void write(const Case& test, const Extents& extents, const ExportHeader& header,
-             const Json& set_up);
-  Json manifest() const;
-};
-
-std::string_view Exporter::Impl::obstacle(const Case& test, const Extents& extents) const {
+std::string_view Exporter::obstacle(const Case& test, const Extents& extents) const {
   if (extents.not_covered) return "not-covered";
   if (reference::find_dialect(test.dialect)->lathe &&
-      test.profile.initial.at[Axis::x] + options.x_zero_at.value_or(Number(0)) <= 0) {
+      test.profile.initial.at[Axis::x] + options_.x_zero_at.value_or(Number(0)) <= 0) {
     return "start-on-spindle-axis";
   }
-  if (options.envelope) {
+  if (options_.envelope) {
     for (Axis axis : reference::kLinearAxes) {
-      const auto& [low, high] = (*options.envelope)[reference::index(axis)];
+      const auto& [low, high] = (*options_.envelope)[reference::index(axis)];
       if (extents.low[axis] < low || extents.high[axis] > high) return "outside-envelope";
     }
   }
-  if (options.feed_max) {
-    if (extents.largest_feed > *options.feed_max) return "feed-above-max";
+  if (options_.feed_max) {
+    if (extents.largest_feed > *options_.feed_max) return "feed-above-max";
     if (extents.per_revolution) return "feed-per-revolution";
     if (extents.threads) return "thread";
   }
   return {};
 }
 
-void Exporter::Impl::write(const Case& test, const Extents& extents, const ExportHeader& header,
-                           const Json& set_up) {
-  const std::string file = fmt::format("{:04}.nc", programs.size() + 1);
-  write_file(folder / file, options.header + header.text + test.program);
+void Exporter::write(const Case& test, const Extents& extents, const ExportHeader& header,
+                     const Json& set_up) {
+  const std::string file = fmt::format("{:04}.nc", programs_.size() + 1);
+  write_file(folder_ / file, options_.header + header.text + test.program);
   Json entry;
   entry["file"] = file;
   entry["id"] = test.id;
@@ -116,7 +94,7 @@ void Exporter::Impl::write(const Case& test, const Extents& extents, const Expor
   entry["dialect"] = test.dialect;
   entry["profile"] = Json::parse(reference::profile_json(test.profile));
   entry["set_up"] = set_up;
-  entry["header_lines"] = header_lines + header.lines;
+  entry["header_lines"] = header_lines_ + header.lines;
   entry["start"] = Json::object();
   for (Axis axis : reference::kAllAxes) {
     if (!header.axes.has(axis)) continue;
@@ -127,37 +105,37 @@ void Exporter::Impl::write(const Case& test, const Extents& extents, const Expor
   entry["feed_per_revolution"] = extents.per_revolution;
   entry["thread"] = extents.threads;
   entry["alarms"] = extents.alarms;
-  if (options.expected) {
+  if (options_.expected) {
     Json line = {{"id", test.id}, {"file", file}, {"header_lines", entry["header_lines"]}};
-    expected += line.dump();
-    expected.back() = ',';
-    expected += fmt::format("\"expected\":{}}}\n", expected_paths(test.profile, test.program));
+    expected_ += line.dump();
+    expected_.back() = ',';
+    expected_ += fmt::format("\"expected\":{}}}\n", expected_paths(test.profile, test.program));
   }
-  programs.push_back(std::move(entry));
-  if (extents.alarms) ++alarms;
-  ++set_ups[fmt::format("{} {}", test.dialect, set_up.dump())];
+  programs_.push_back(std::move(entry));
+  if (extents.alarms) ++alarms_;
+  ++set_ups_[fmt::format("{} {}", test.dialect, set_up.dump())];
 }
 
-Json Exporter::Impl::manifest() const {
+Json Exporter::manifest() const {
   Json json;
   json["format"] = 1;
-  json["gonogo"] = title.gonogo;
-  json["corpus"] = {{"version", title.corpus_version}, {"sha256", title.corpus_sha256}};
+  json["gonogo"] = title_.gonogo;
+  json["corpus"] = {{"version", title_.corpus_version}, {"sha256", title_.corpus_sha256}};
   json["units"] = "mm as true lengths (X of a lathe as a radius), degrees, mm/min, seconds";
-  if (options.envelope) {
+  if (options_.envelope) {
     for (Axis axis : reference::kLinearAxes) {
-      const auto& [low, high] = (*options.envelope)[reference::index(axis)];
+      const auto& [low, high] = (*options_.envelope)[reference::index(axis)];
       json["envelope"][std::string(1, letter(axis))] = {low.text(), high.text()};
     }
   }
-  if (options.feed_max) json["feed_max"] = options.feed_max->text();
-  if (options.x_zero_at) json["x_zero_at"] = options.x_zero_at->text();
-  json["header_file_lines"] = header_lines;
+  if (options_.feed_max) json["feed_max"] = options_.feed_max->text();
+  if (options_.x_zero_at) json["x_zero_at"] = options_.x_zero_at->text();
+  json["header_file_lines"] = header_lines_;
   json["warning"] =
       "Programs with \"alarms\": true break a rule on purpose. A controller that does not alarm "
       "goes on, and neither the extents nor the feed say where to.";
   json["set_ups"] = Json::array();
-  for (const auto& [key, count] : set_ups) {
+  for (const auto& [key, count] : set_ups_) {
     const std::size_t space = key.find(' ');
     json["set_ups"].push_back({{"dialect", key.substr(0, space)},
                                {"set", Json::parse(key.substr(space + 1))},
@@ -165,75 +143,70 @@ Json Exporter::Impl::manifest() const {
   }
   json["left_out"] = Json::array();
   for (const auto& [reason, sentence] : kReasons) {
-    const auto found = left_out.find(std::string(reason));
-    if (found == left_out.end()) continue;
+    const auto found = left_out_.find(std::string(reason));
+    if (found == left_out_.end()) continue;
     json["left_out"].push_back({{"reason", reason},
                                 {"sentence", sentence},
                                 {"count", found->second.size()},
                                 {"ids", found->second}});
   }
-  json["programs"] = programs;
+  json["programs"] = programs_;
   return json;
 }
 
 Exporter::Exporter(std::string folder, ExportOptions options, ExportTitle title)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->folder = std::move(folder);
-  impl_->options = std::move(options);
-  impl_->title = std::move(title);
-  std::string& header = impl_->options.header;
+    : folder_(std::move(folder)), options_(std::move(options)), title_(std::move(title)) {
+  std::string& header = options_.header;
   if (!header.empty() && header.back() != '\n') header += '\n';
-  impl_->header_lines = static_cast<std::uint64_t>(std::ranges::count(header, '\n'));
-  fs::create_directories(impl_->folder);
-  if (!fs::is_empty(impl_->folder)) {
+  header_lines_ = static_cast<std::uint64_t>(std::ranges::count(header, '\n'));
+  fs::create_directories(folder_);
+  if (!fs::is_empty(folder_)) {
     throw std::runtime_error(
-        fmt::format("The folder {} is not empty. Name a new one.", impl_->folder.string()));
+        fmt::format("The folder {} is not empty. Name a new one.", folder_.string()));
   }
 }
 
-Exporter::~Exporter() = default;
-
 void Exporter::add(const Case& test) {
-  ++impl_->cases;
+  ++cases_;
   auto leave_out = [&](std::string_view reason) {
-    impl_->left_out[std::string(reason)].push_back(test.id);
+    left_out_[std::string(reason)].push_back(test.id);
   };
   const Json set_up = set_up_of(test.profile);
-  if (!set_up.empty() && !impl_->options.all_profiles) return leave_out("other-set-up");
+  if (!set_up.empty() && !options_.all_profiles) return leave_out("other-set-up");
   try {
     const std::optional<Extents> extents = extents_of(test.profile, test.program);
     if (!extents) return leave_out("too-many-readings");
-    const std::string_view obstacle = impl_->obstacle(test, *extents);
-    if (!obstacle.empty()) return leave_out(obstacle);
+    const std::string_view reason = obstacle(test, *extents);
+    if (!reason.empty()) return leave_out(reason);
     const auto header = export_header(test.profile, test.program, extents->moved);
     if (!header) return leave_out("header-changes-meaning");
-    impl_->write(test, *extents, *header, set_up);
+    write(test, *extents, *header, set_up);
   } catch (const exact::Undecided&) {
     leave_out("undecided");
   }
 }
 
 std::string Exporter::finish() {
-  write_file(impl_->folder / "manifest.json", impl_->manifest().dump(1) + "\n");
-  if (impl_->options.expected) {
-    write_file(impl_->folder / "expected.jsonl", impl_->expected);
-    write_file(impl_->folder / "compare.py", std::string(kComparer));
+  write_file(folder_ / "manifest.json", manifest().dump(1) + "\n");
+  if (options_.expected) {
+    write_file(folder_ / "expected.jsonl", expected_);
+    write_file(folder_ / "compare.py", std::string(kComparer));
   }
-  std::string text = fmt::format("{} of {} cases exported to {}\n", impl_->programs.size(),
-                                 impl_->cases, impl_->folder.string());
+  std::string text =
+      fmt::format("{} of {} cases exported to {}\n", programs_.size(), cases_, folder_.string());
   for (const auto& [reason, sentence] : kReasons) {
-    const auto found = impl_->left_out.find(std::string(reason));
-    if (found == impl_->left_out.end()) continue;
+    const auto found = left_out_.find(std::string(reason));
+    if (found == left_out_.end()) continue;
     text += fmt::format("left out: {:>6}  {}: {}\n", found->second.size(), reason, sentence);
   }
-  for (const auto& [key, count] : impl_->set_ups) {
+  for (const auto& [key, count] : set_ups_) {
     if (!key.ends_with("{}")) text += fmt::format("set-up:   {:>6}  {}\n", count, key);
   }
-  if (impl_->alarms > 0) {
+  if (alarms_ > 0) {
     text += fmt::format(
         "{} programs break a rule on purpose: a controller that does not alarm goes on, and where "
         "to is not bounded.\n",
-        impl_->alarms);
+        alarms_);
   }
   return text;
 }

@@ -4,12 +4,17 @@
 // comes back to the cases and names what was left out.
 #pragma once
 
-#include <functional>
+#include <array>
+#include <cstdint>
+#include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "capture/export_header.hpp"
 #include "capture/program_extents.hpp"
 #include "corpus/io/corpus.hpp"
 
@@ -39,17 +44,27 @@ class Exporter {
   // Writes into `folder`, which must be empty or not be there; throws std::runtime_error with a
   // sentence when it is not.
   Exporter(std::string folder, ExportOptions options, ExportTitle title);
-  ~Exporter();
-  Exporter(const Exporter&) = delete;
-  Exporter& operator=(const Exporter&) = delete;
   // Writes the program of the case, or notes why not.
   void add(const Case& test);
   // Writes the manifest; returns the text for people.
   std::string finish();
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  // Why the case is left out; empty when it is not.
+  std::string_view obstacle(const Case& test, const Extents& extents) const;
+  void write(const Case& test, const Extents& extents, const ExportHeader& header,
+             const nlohmann::ordered_json& set_up);
+  nlohmann::ordered_json manifest() const;
+
+  std::filesystem::path folder_;
+  ExportOptions options_;
+  ExportTitle title_;
+  std::uint64_t header_lines_ = 0;  // of the certifier's text
+  std::size_t cases_ = 0, alarms_ = 0;
+  std::string expected_;  // a line a program
+  nlohmann::ordered_json programs_ = nlohmann::ordered_json::array();
+  std::map<std::string, std::size_t> set_ups_;                // dialect and keys -> cases
+  std::map<std::string, std::vector<std::string>> left_out_;  // reason -> ids
 };
 
 // "0..100,-50..50,-200..10"; nothing when it is not of that form.

@@ -5,12 +5,24 @@
 #include <array>
 #include <limits>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle {
 namespace {
 
 constexpr std::size_t kQuarters = 4;
 constexpr std::size_t kFewest = 2 * kQuarters;  // samples in the middle half
 constexpr std::size_t kMostSamples = 100'000;   // samples of one motion that are kept
+
+// Whether speeds rise and then fall, but for changes within that part of them.
+bool is_ramp(const std::array<double, kQuarters>& speeds, double part) {
+  bool falls = false;
+  for (std::size_t i = 1; i < speeds.size(); ++i) {
+    if (falls && speeds[i - 1] < speeds[i] * part) return false;
+    falls = falls || speeds[i] < speeds[i - 1] * part;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -40,29 +52,40 @@ std::optional<FeedWatch::Fault> FeedWatch::too_fast_now() const {
   return Fault{bounds, places_.back().number};
 }
 
-std::optional<FeedWatch::Fault> FeedWatch::fault() const {
-  if (places_.size() < 2) return std::nullopt;
+FeedWatch::Finding FeedWatch::finding() const {
+  if (places_.size() < 2) return {};
   const FeedBounds whole = between(places_.front(), places_.back());
-  if (too_fast(whole)) return Fault{whole, places_.back().number};
+  if (too_fast(whole)) return {Fault{whole, places_.back().number}, true};
   const std::size_t count = places_.size();
   const std::size_t first = count / 4;
   const std::size_t last = count - 1 - count / 4;
-  if (last < first + kFewest) return std::nullopt;
-  const FeedBounds middle = between(places_[first], places_[last]);
-  double slowest = std::numeric_limits<double>::infinity();
-  double fastest = 0;
+  if (last < first + kFewest) return {};
+  return slowness(first, last);
+}
+
+// In the middle half of the motion, from one place to another.
+FeedWatch::Finding FeedWatch::slowness(std::size_t first, std::size_t last) const {
+  std::array<double, kQuarters> means{};
+  Fault fastest;
   for (std::size_t i = 0; i < kQuarters; ++i) {
     const Place& a = places_[first + (last - first) * i / kQuarters];
     const Place& b = places_[first + (last - first) * (i + 1) / kQuarters];
     const FeedBounds bounds = between(a, b);
-    if (too_fast(bounds)) return Fault{bounds, b.number};
-    const double mean = ((b.low + b.high) - (a.low + a.high)) / 2 / (b.time - a.time);
-    slowest = std::min(slowest, mean);
-    fastest = std::max(fastest, mean);
+    if (too_fast(bounds)) return {Fault{bounds, b.number}, true};
+    means[i] = ((b.low + b.high) - (a.low + a.high)) / 2 / (b.time - a.time);
+    if (bounds.high > fastest.bounds.high) fastest = {bounds, b.number};
   }
-  const bool steady = slowest >= fastest * (1 - granted_);
-  if (steady && middle.high < feed_ * (1 - granted_)) return Fault{middle, places_[last].number};
-  return std::nullopt;
+  const double part = 1 - granted_;
+  const auto [slow, fast] = std::ranges::minmax(means);
+  if (slow >= fast * part) {
+    const FeedBounds middle = between(places_[first], places_[last]);
+    if (middle.high < feed_ * part) return {Fault{middle, places_[last].number}, true};
+    return {std::nullopt, true};
+  }
+  const bool is_short = places_.back().time - places_.front().time <= kLongestRamp;
+  if (is_short && is_ramp(means, part)) return {};
+  if (fastest.bounds.high < feed_ * part) return {fastest, true};
+  return {};
 }
 
 }  // namespace gonogo::oracle

@@ -6,9 +6,11 @@
 //   too fast: a mean speed between two samples (neighbours, quarters of the middle half, the whole
 //             of the inside) whose lower bound is above the feed by more than was granted;
 //   too slow: the mean speed over the middle half of the inside of the motion has an upper bound
-//             below the feed by more than was granted, and the speed there is steady: that of its
-//             four quarters is the same except for the part that was granted. A motion too short to
-//             come to a steady speed is not found too slow.
+//             below the feed by more than was granted, where the speed there is steady: that of its
+//             four quarters is the same except for the part that was granted. Where it is not, each
+//             quarter has such a bound, which neither a ripple nor a stop explains. A motion too
+//             short to come to a steady speed is not found too slow: one that only speeds up and
+//             then slows down, in no more than kLongestRamp (J-RUN-11).
 // A motion begins with the last sample that may lie at its start: rest before it has no speed.
 #pragma once
 
@@ -36,9 +38,11 @@ class FeedWatch {
     std::size_t number = 0;
   };
   std::optional<Fault> too_fast_now() const;  // between the last two
-  std::optional<Fault> fault() const;
-  // Whether there was anything to compare.
-  bool compared() const { return places_.size() >= 2; }
+  struct Finding {
+    std::optional<Fault> fault;
+    bool is_bounded = false;  // from above and from below
+  };
+  Finding finding() const;
 
  private:
   struct Place {
@@ -46,6 +50,7 @@ class FeedWatch {
     std::size_t number;
   };
   FeedBounds between(const Place& a, const Place& b) const;
+  Finding slowness(std::size_t first, std::size_t last) const;
   bool too_fast(const FeedBounds& bounds) const { return bounds.low > feed_ * (1 + granted_); }
   double feed_;
   double granted_;

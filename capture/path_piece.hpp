@@ -22,7 +22,7 @@ enum class PieceKind : std::uint8_t {
   round,
   dwell,
   stand,  // the end of the path: by the program's end or an alarm
-  open,   // what sampled positions do not decide; `why` says so
+  open,   // what sampled positions do not decide; the text says why
 };
 
 // A part of a piece within the tube of a sample. A traverse has a coordinate for each axis, counted
@@ -43,9 +43,11 @@ class PathPiece {
   static std::unique_ptr<PathPiece> undecided(GapReason reason, std::string why);
 
   PieceKind kind() const { return kind_; }
+  bool is_motion() const {
+    return kind_ == PieceKind::line || kind_ == PieceKind::traverse || kind_ == PieceKind::round;
+  }
   const Motion& motion() const { return motion_; }
-  const std::string& text() const { return text_; }
-  const std::string& why() const { return text_; }
+  const std::string& text() const { return text_; }         // of an open piece: why it is
   Verdict gap() const { return gap_verdict(gap_, text_); }  // of an open piece
   reference::ClauseId clause() const { return motion_.record.clause; }
   std::uint64_t block() const { return motion_.record.block; }
@@ -60,8 +62,7 @@ class PathPiece {
   double length() const { return length_; }
   double speed() const { return speed_; }      // mm/s, the most that it may be run with
   bool has_feed() const { return has_feed_; }  // a path speed is programmed
-  const Number& seconds() const { return motion_.record.seconds; }
-  double time() const;  // s, the least that it takes
+  double time() const;                         // s, the least that it takes
   // About the same for a sample, for estimates; mm.
   double off(const SamplePoint& sample) const;
   // How far a point lies from the piece, on the axis where it is most.

@@ -98,16 +98,17 @@ std::optional<std::string> read_columns(const std::string& text, SampleColumns& 
     const bool needs_unit = colon != std::string_view::npos;
     if (!unit.empty() && !set_unit(column, unit) && needs_unit) {
       return fmt::format(
-          "The unit \"{}\" of {} is not known. Write s, ms or us of a time; mm, um, in or deg of an "
+          "The unit \"{}\" of {} is not known. Write s, ms or us of a time; mm, um, in or deg of "
+          "an "
           "axis; diameter or in-diameter of X.",
           unit, name);
     }
-    if (std::ranges::any_of(columns.named, [&](const SampleColumn& other) {
+    if (std::ranges::any_of(columns, [&](const SampleColumn& other) {
           return other.field == column.field || other.name == column.name;
         })) {
       return fmt::format("\"{}\" stands twice.", each);
     }
-    columns.named.push_back(std::move(column));
+    columns.push_back(std::move(column));
   }
   return std::nullopt;
 }

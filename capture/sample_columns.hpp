@@ -37,10 +37,9 @@ bool set_unit(SampleColumn& column, std::string_view unit);
 // The unit in brackets at the end of a column's name; empty: none.
 std::string_view unit_in_brackets(std::string_view name);
 
+using SampleColumns = std::vector<SampleColumn>;  // empty: the file names them as the gauge does
+
 // Reads the text above; a sentence when it cannot be read.
-struct SampleColumns {
-  std::vector<SampleColumn> named;  // empty: the file names its columns as the gauge does
-};
 std::optional<std::string> read_columns(const std::string& text, SampleColumns& columns);
 
 }  // namespace gonogo::oracle

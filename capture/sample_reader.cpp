@@ -42,7 +42,7 @@ SampleReader::SampleReader(const std::string& path, const SampleColumns& columns
     read_header(columns);
     return;
   }
-  if (columns.named.empty()) {
+  if (columns.empty()) {
     throw SampleFault(
         fmt::format("{}: The file is empty. Its first line must name the columns, "
                     "as t,x,z.",
@@ -58,8 +58,8 @@ void SampleReader::find_separator() {
 }
 
 bool SampleReader::is_header(const SampleColumns& columns) const {
-  const auto time = std::ranges::find(columns.named, SampleField::time, &SampleColumn::field);
-  return time == columns.named.end() || std::ranges::find(cells_, time->name) != cells_.end();
+  const auto time = std::ranges::find(columns, SampleField::time, &SampleColumn::field);
+  return time == columns.end() || std::ranges::find(cells_, time->name) != cells_.end();
 }
 
 void SampleReader::fail(std::size_t column, const std::string& sentence) const {
@@ -112,11 +112,11 @@ SampleColumn SampleReader::column_of(const std::string& cell, std::size_t place)
 void SampleReader::read_header(const SampleColumns& columns) {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     SampleColumn column;
-    if (columns.named.empty()) {
+    if (columns.empty()) {
       column = column_of(cells_[i], i);
     } else {
-      const auto named = std::ranges::find(columns.named, cells_[i], &SampleColumn::name);
-      if (named != columns.named.end()) column = *named;
+      const auto named = std::ranges::find(columns, cells_[i], &SampleColumn::name);
+      if (named != columns.end()) column = *named;
     }
     const SampleField field = column.field;
     if (field != SampleField::other &&
@@ -128,7 +128,7 @@ void SampleReader::read_header(const SampleColumns& columns) {
       axes_.add(static_cast<reference::Axis>(static_cast<int>(field) - 1));
     }
   }
-  for (const SampleColumn& column : columns.named) {
+  for (const SampleColumn& column : columns) {
     if (std::ranges::find(cells_, column.name) == cells_.end()) {
       fail(0, fmt::format("There is no column \"{}\", which --columns names.", column.name));
     }

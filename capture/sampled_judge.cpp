@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "capture/sampled_judge.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,16 +14,10 @@ using reference::Axis;
 using reference::kAllAxes;
 
 constexpr double kTimeNoise = 1e-9;  // s; of sums of doubles
-constexpr std::size_t kNamedUnseen = 10;
-constexpr double kCorner = 20;  // times the allowance for blending: how far a corner reaches
+constexpr double kCorner = 20;       // times the allowance for blending: how far a corner reaches
 
 double half_unit(int decimals) {
   return 0.5 * std::pow(10.0, -decimals);
-}
-
-bool is_motion_piece(const PathPiece& piece) {
-  return piece.kind() == PieceKind::line || piece.kind() == PieceKind::traverse ||
-         piece.kind() == PieceKind::round;
 }
 
 }  // namespace
@@ -63,7 +55,7 @@ const std::vector<Stretch>& SampledRun::stretches(std::size_t i, const SamplePoi
 const std::vector<Stretch>& SampledRun::wide_stretches(std::size_t i, const SamplePoint& point) {
   const auto [found, fresh] = wide_cache_.try_emplace(i);
   const PathPiece& piece = *path_.piece(i);
-  if (fresh && sampled_.blend.sign() > 0 && is_motion_piece(piece)) {
+  if (fresh && sampled_.blend.sign() > 0 && piece.is_motion()) {
     piece.stretches(point, wide_, found->second);
   }
   return found->second;
@@ -95,16 +87,16 @@ void SampledRun::enter(std::size_t from, const State& before, Spot spot, const S
   const PathPiece& left = *path_.piece(from);
   const PathPiece& piece = *path_.piece(i);
   State state{place, last_time_, false, {}, before.unseen};
-  const bool at_start = !is_motion_piece(piece) || piece.before(place) <= 0;
-  const bool from_end = !is_motion_piece(left) || left.after(before.place) <= Tube::kUnsure;
-  if (is_motion_piece(left)) {
+  const bool at_start = !piece.is_motion() || piece.before(place) <= 0;
+  const bool from_end = !left.is_motion() || left.after(before.place) <= Tube::kUnsure;
+  if (left.is_motion()) {
     Visit visit = before.visit;
     visit.end = visit.end || (i == from + 1 && at_start);
     if (!visit.shows()) state.unseen.insert(from);
   }
   const bool joins_two = i == from + 2 && from_end && at_start;
   for (std::size_t between = from + 1; between < i; ++between) {
-    if (is_motion_piece(*path_.piece(between)) && !joins_two) state.unseen.insert(between);
+    if (path_.piece(between)->is_motion() && !joins_two) state.unseen.insert(between);
   }
   state.visit.start = i == from + 1 && from_end;
   merge(next, spot, std::move(state));
@@ -118,10 +110,10 @@ double SampledRun::stood(const State& state, double time) const {
 // s, the least that a piece takes, and what leads to a place on it; what is granted is granted of
 // feeds.
 double SampledRun::least_time(const PathPiece& piece) const {
-  return is_motion_piece(piece) ? piece.time() / feed_factor() : piece.time();
+  return piece.is_motion() ? piece.time() / feed_factor() : piece.time();
 }
 double SampledRun::least_time_to(const PathPiece& piece, const Stretch& place) const {
-  return is_motion_piece(piece) ? piece.before(place) / (piece.speed() * feed_factor()) : 0;
+  return piece.is_motion() ? piece.before(place) / (piece.speed() * feed_factor()) : 0;
 }
 
 // Off the motion to which a corner led it has to come back first, unless it is a short one.
@@ -156,7 +148,7 @@ void SampledRun::go_on(Spot spot, State& state, const SamplePoint& point, double
       enter(from, state, {i}, stretch, next);
       break;
     }
-    if (i == from + 1 && is_motion_piece(here) && stretches(i, point).empty()) {
+    if (i == from + 1 && here.is_motion() && stretches(i, point).empty()) {
       for (const Stretch& stretch : wide_stretches(i, point)) {
         const bool in_time = spent + least_time_to(*piece, stretch) <= budget;
         if (!in_time || !near_corner({i, Phase::arriving}, stretch)) continue;
@@ -284,6 +276,7 @@ bool SampledRun::take(const Sample& given) {
     }
     if (!header_seen_) last_time_ = time;
     begun_ = begin(point, time);
+    stand_ = {.at = sample.at, .since = time, .is_first = true};
     if (!begun_) depart(sample, point);
   } else {
     States next;
@@ -300,126 +293,14 @@ bool SampledRun::take(const Sample& given) {
   moved_ = moved_ || !agree(sample.at, start_, tube_.tolerance);
   last_number_ = sample.number;
   note_worst(sample, point);
-  note_visits(states_);
-  watch_feeds(states_, time);
+  note_visits();
+  watch_feeds(time);
+  watch_stands(sample.at, time);
   close_pieces(states_.begin()->first.piece);
   const PathPiece& least = *path_.piece(states_.begin()->first.piece);
   holes_.take(sample, true, least.block());
   if (least.kind() == PieceKind::open) open_ = least.gap();
   return !open_;
-}
-
-void SampledRun::note_visits(States& states) {
-  for (auto& [spot, state] : states) {
-    const PathPiece& piece = *path_.piece(spot.piece);
-    if (!is_motion_piece(piece)) continue;
-    Visit& visit = state.visit;
-    const bool start = piece.before(state.place) <= 0;
-    const bool end = piece.after(state.place) <= Tube::kUnsure;
-    visit.start = visit.start || start;
-    visit.end = visit.end || end;
-    visit.inside = visit.inside || (!start && !end);
-  }
-}
-
-// Pieces that every way passes unseen are; those that only some do wait for what becomes of them.
-void SampledRun::note_unseen(std::size_t before) {
-  std::set<std::size_t> some;
-  for (auto& [spot, state] : states_) some.insert(state.unseen.begin(), state.unseen.end());
-  std::erase_if(named_, [&](const auto& name) { return !some.contains(name.first); });
-  for (const std::size_t i : some) {
-    if (i >= before) break;
-    if (i >= path_.first_kept()) {
-      const PathPiece& piece = *path_.piece(i);
-      named_[i] = piece.block() != 0 ? fmt::format("line {}", piece.block()) : piece.text();
-    }
-    const bool every = std::ranges::all_of(
-        states_, [&](const auto& state) { return state.second.unseen.contains(i); });
-    if (!every) continue;
-    unseen_.push_back(named_[i]);
-    named_.erase(i);
-    for (auto& [at, state] : states_) state.unseen.erase(i);
-  }
-}
-
-void SampledRun::watch_feeds(const States& states, double time) {
-  if (states.size() != 1) return;
-  const auto& [spot, state] = *states.begin();
-  const std::size_t i = spot.piece;
-  const PathPiece& piece = *path_.piece(i);
-  if (!is_motion_piece(piece) || !piece.has_feed()) return;
-  FeedWatch& watch = watches_.try_emplace(i, piece.speed(), granted_, clock_).first->second;
-  watch.add(time, piece.along(state.place.low[0]), piece.along(state.place.high[0]), last_number_);
-  note_feed(i, watch.too_fast_now());
-}
-
-void SampledRun::note_feed(std::size_t i, const std::optional<FeedWatch::Fault>& fault) {
-  if (fault && !feed_fault_) feed_fault_ = feed_verdict(*path_.piece(i), *fault);
-}
-
-void SampledRun::close_pieces(std::size_t before) {
-  note_unseen(before);
-  for (; progress_ < before; ++progress_) {
-    const PathPiece& piece = *path_.piece(progress_);
-    if (!is_motion_piece(piece)) continue;
-    ++motions_;
-    const auto watch = watches_.find(progress_);
-    const bool bounded = watch != watches_.end() && watch->second.compared();
-    if (bounded) note_feed(progress_, watch->second.fault());
-    if (piece.kind() != PieceKind::traverse) ++(bounded ? feeds_ : feeds_open_);
-    watches_.erase(progress_);
-  }
-  path_.drop_before(before);
-}
-
-void SampledRun::finish(bool in_hole) {
-  if (in_hole) holes_.end_in_hole();
-  if (departure_ || open_) return;
-  if (!begun_) {
-    Verdict verdict;
-    verdict.kind = VerdictKind::fail_geometry;
-    verdict.want = point_text(start_, seen_);
-    verdict.record = 0;
-    verdict.message = "No sample lies at the start position of the program.";
-    if (first_) {
-      verdict.got = sample_text(*first_, seen_);
-      verdict.witness = point_text(first_->at, seen_);
-    }
-    departure_ = std::move(verdict);
-    return;
-  }
-  const std::size_t farthest = states_.rbegin()->first.piece;
-  State& state = states_.rbegin()->second;
-  const PathPiece& piece = *path_.piece(farthest);
-  at_end_ = piece.kind() == PieceKind::stand;
-  if (piece.kind() == PieceKind::open) open_ = piece.gap();
-  if (piece.kind() == PieceKind::dwell) {
-    open_ = gap_verdict(
-        GapReason::samples_end,
-        fmt::format("The samples end before the dwell of line {} does.", piece.block()));
-  }
-  const bool complete = is_motion_piece(piece) && piece.after(state.place) <= Tube::kUnsure;
-  if (complete && !state.visit.shows()) state.unseen.insert(farthest);
-  states_.erase(states_.begin(), std::prev(states_.end()));
-  close_pieces(complete ? farthest + 1 : farthest);
-}
-
-std::string SampledRun::summary() const {
-  std::string text = fmt::format(
-      "From samples: {} motions followed; the feed of {} of them is bounded only, to within {} %, "
-      "of {} not compared.",
-      motions_, feeds_, (sampled_.feed_tolerance * 100).text(), feeds_open_);
-  if (holes_.any()) text += holes_.holes_text();
-  text += holes_.rate_text(approximate(sampled_.fastest));
-  if (unseen_.empty()) return text;
-  text += " Not checked, because no sample shows them:";
-  for (std::size_t i = 0; i < unseen_.size() && i < kNamedUnseen; ++i) {
-    text += fmt::format("{} {}", i == 0 ? "" : ",", unseen_[i]);
-  }
-  if (unseen_.size() > kNamedUnseen) {
-    text += fmt::format(" and {} more", unseen_.size() - kNamedUnseen);
-  }
-  return text + ". Sample more often.";
 }
 
 }  // namespace gonogo::oracle

@@ -23,7 +23,8 @@
 //   of the ways that the samples leave open: then the answer is oracle-gap, never a pass.
 // Dwell. The machine may not have stood still for as long as programmed: less time lies between the
 //   last sample before and the first one after. How long it stood before the first sample is not
-//   known: where that decides, oracle-gap.
+//   known: where that decides, oracle-gap. So it is where the machine stands at the place of dwells
+//   for longer than these by more than kLongestStand. Stands elsewhere are not compared.
 // Feed. Bounds only, see feed_bounds.hpp. Feeds per revolution and threads are not compared.
 // Holes (J-RUN-11). Where more time passes between two samples than in their rhythm, the
 //   machine may have been anywhere: what would be GO is oracle-gap. What the rhythm itself does not
@@ -95,6 +96,7 @@ class SampledRun {
   // Why it cannot be GO: the samples do not show all.
   GapReason not_shown() const {
     if (holes_.any()) return GapReason::samples_hole;
+    if (!long_stands_.empty()) return GapReason::samples_stand;
     return unseen_.empty() ? GapReason::none : GapReason::samples_rate;
   }
   const HoleWatch& holes() const { return holes_; }
@@ -145,9 +147,10 @@ class SampledRun {
   double feed_factor() const { return (1 + granted_) * way_factor_; }
   double least_time(const PathPiece& piece) const;
   double least_time_to(const PathPiece& piece, const Stretch& place) const;
-  void note_visits(States& states);
+  void note_visits();
   void note_unseen(std::size_t before);
-  void watch_feeds(const States& states, double time);
+  void watch_feeds(double time);
+  void watch_stands(const Position& at, double time);
   void close_pieces(std::size_t before);
   void depart(const Sample& sample, const SamplePoint& point);
   Verdict departure_at_start(const Sample& sample) const;
@@ -193,8 +196,20 @@ class SampledRun {
   bool left_end_ = false;
   std::size_t progress_ = 0;
   std::size_t motions_ = 0;
-  std::size_t feeds_ = 0;       // motions whose feed was bounded
+  std::size_t feeds_ = 0;       // motions whose feed was bounded from above and below
   std::size_t feeds_open_ = 0;  // ... was not
+  // Where the machine stands, since when, and the dwells of that place.
+  struct Stand {
+    Position at;
+    double since = 0;
+    double until = 0;
+    double due = 0;
+    std::set<std::size_t> dwells = {};
+    std::uint64_t block = 0;
+    bool is_first = false;  // it may have stood there before the samples began
+  };
+  Stand stand_;
+  std::vector<std::string> long_stands_;
   std::vector<std::string> unseen_;
   std::map<std::size_t, std::string> named_;  // pieces that some way passes unseen
 };

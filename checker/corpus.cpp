@@ -120,8 +120,8 @@ void Corpus::read_manifest(std::vector<std::string>& listed) {
     const Json manifest = parse_json(text);
     if (manifest.integer_of("format") != 1) throw Fault("The format is not 1.");
     version_ = manifest.text_of("version");
-    listed = manifest.member("files", Json::Kind::list).texts();
-    retired_ = manifest.member("retired", Json::Kind::list).texts();
+    listed = manifest.texts_of("files");
+    retired_ = manifest.texts_of("retired");
   } catch (const Fault& fault) {
     throw Fault(path + ": " + fault.what());
   }
@@ -130,9 +130,8 @@ void Corpus::read_manifest(std::vector<std::string>& listed) {
 void Corpus::index(std::size_t file) {
   const Json root = parse_json(files_[file].text);
   for (const Json& group : root.member("groups", Json::Kind::list).items) {
-    groups_.push_back({{root.text_of("dialect"), root.text_of("cycle"),
-                        group.member("clauses", Json::Kind::list).texts()},
-                       group.member("features", Json::Kind::list).texts(),
+    groups_.push_back({{root.text_of("dialect"), root.text_of("cycle"), group.texts_of("clauses")},
+                       group.texts_of("features"),
                        group.member("profile", Json::Kind::object)});
     for (const Json& one : group.member("cases", Json::Kind::list).items) {
       const std::string& id = one.text_of("id");

@@ -70,8 +70,6 @@ class Corpus {
 
   bool has(const std::string& id) const { return cases_.contains(id); }
   // For an id that is there.
-  const std::string& dialect_of(const std::string& id) const { return topic_of(id).dialect; }
-  const Topic& topic_of(const std::string& id) const { return groups_[cases_.at(id).group].topic; }
   const Json& profile_of(const std::string& id) const {
     return groups_[cases_.at(id).group].profile;
   }

@@ -191,7 +191,7 @@ void check_case(const Json& one) {
 void check_group(const Json& group) {
   need_keys(group, "The group", {"gid", "features", "clauses", "profile", "cases"}, {});
   for (const std::string_view key : {"features", "clauses"}) {
-    const auto names = group.member(key, Json::Kind::list).texts();
+    const auto names = group.texts_of(key);
     if (names.empty() || std::set(names.begin(), names.end()).size() != names.size()) {
       throw Fault("The list \"" + std::string(key) + "\" is empty or names something twice.");
     }

@@ -232,6 +232,20 @@ long Json::integer_of(std::string_view key) const {
   return member(key, Kind::number).integer();
 }
 
+std::vector<std::string> Json::texts_of(std::string_view key) const {
+  return member(key, Kind::list).texts();
+}
+
+std::string Json::text_at(std::string_view key) const {
+  const Json* found = find(key);
+  return found != nullptr && found->is(Kind::text) ? found->text : std::string();
+}
+
+std::vector<std::string> Json::texts_at(std::string_view key) const {
+  const Json* found = find(key);
+  return found == nullptr ? std::vector<std::string>() : found->texts();
+}
+
 long Json::integer() const {
   const bool is_whole = is(Kind::number) && text.size() <= 15 &&
                         text.find_first_not_of("-0123456789") == std::string::npos;

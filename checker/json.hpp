@@ -39,6 +39,10 @@ class Json {
   const Json& member(std::string_view key, Kind what) const;
   const std::string& text_of(std::string_view key) const;
   long integer_of(std::string_view key) const;
+  std::vector<std::string> texts_of(std::string_view key) const;
+  // Empty when there is no such member, or, of a text, one of another kind.
+  std::string text_at(std::string_view key) const;
+  std::vector<std::string> texts_at(std::string_view key) const;
 
   // The value of an integer; throws Fault for what is none, or has more than 15 digits.
   long integer() const;

@@ -95,7 +95,26 @@ class Match {
   // A motion that one side may have dropped.
   bool is_short(const Motion& motion) const {
     return is_straight(motion) &&
-           agree(motion.from, motion.to, Real(3) * tolerances_.tolerance) != Truth::no;
+           stays_by(motion, motion.from, Real(3) * tolerances_.tolerance) != Truth::no;
+  }
+  // Whether it ends about where the subject may be before motion `at` is done. Short motions that
+  // lead away from there are not dropped.
+  bool is_nearby(const Motion& motion, std::size_t at) const {
+    const bool is_last = at == want_.motions.size();
+    if (!is_last && !is_straight(want_.motions[at])) return true;
+    const Real near = Real(3) * tolerances_.tolerance;
+    const Position& from = is_last ? want_.end : want_.motions[at].from;
+    const Position& to = is_last ? want_.end : want_.motions[at].to;
+    Truth answer = Truth::yes;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!from[axis] || !to[axis] || !motion.to[axis]) continue;
+      const Real before = *motion.to[axis] - *from[axis];
+      const Real behind = *motion.to[axis] - *to[axis];
+      const Truth is_above = at_most(near, before) && at_most(near, behind);
+      const Truth is_below = at_most(before, -near) && at_most(behind, -near);
+      answer = answer && !is_above && !is_below;
+    }
+    return answer != Truth::no;
   }
   static bool is_straight(const Motion& motion) {
     return motion.record.kind != RecordKind::dwell && motion.record.kind != RecordKind::arc;
@@ -165,7 +184,7 @@ class Match {
     if (next == got_.motions.size()) return departure;
     const Motion& got = got_.motions[next];
     const bool is_arc = is_short_arc(got);
-    if (!is_arc && !is_short(got)) return departure;
+    if (!is_arc && !(is_short(got) && is_nearby(got, at))) return departure;
     const Judgement rest = follow(at, next + 1);
     if (rest.answer == Answer::departs) return departure;
     return is_arc && !may_go_round(got) ? rest : unknown;

@@ -2,6 +2,7 @@
 #include "checker/motion_match.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace gonogo::checker {
 namespace {
@@ -60,7 +61,7 @@ bool plane_near(const Motion& arc, const Real& reach) {
 // Whole turns of an arc whose ends are near each other: one that is nearly complete is counted,
 // one that has hardly begun is not. Nothing: undecided.
 std::optional<long> whole_turns(const Motion& arc) {
-  const long size = arc.record.rotation < 0 ? -arc.record.rotation : arc.record.rotation;
+  const long size = std::abs(arc.record.rotation);
   const Real side = cross(arc.record.plane, arc.record.centre, arc.from, arc.to);
   const Truth begun = (arc.record.rotation < 0 ? -side : side).is_positive();
   if (begun == Truth::unknown) return std::nullopt;
@@ -73,10 +74,6 @@ bool is_tiny(const Motion& arc, const Real& tolerance) {
   const Real radius_2 = distance2(plane, arc.from, arc.record.centre);
   return root_at_most(radius_2, 0, Real(3) * tolerance) != Truth::no;
 }
-
-}  // namespace
-
-namespace {
 
 // R3: equal, or no farther off than rounding to the resolution makes it; where none is
 // declared, than rounding to the number's own last place and no more coarsely than the machine.
@@ -145,18 +142,16 @@ StepAnswer MotionMatch::take(const Motion& got) {
 StepAnswer MotionMatch::check_words(const Motion& got) const {
   const Record& want = want_.record;
   const Record& have = got.record;
-  const bool both_arcs = want.kind != have.kind &&
-                         (want.kind == RecordKind::arc || want.kind == RecordKind::arc3) &&
-                         (have.kind == RecordKind::arc || have.kind == RecordKind::arc3);
-  if (both_arcs) {
+  const auto are = [&](RecordKind one, RecordKind other) {
+    return (want.kind == one && have.kind == other) || (want.kind == other && have.kind == one);
+  };
+  if (are(RecordKind::arc, RecordKind::arc3)) {
     if (agree(want_.to, got.to, tolerances_.tolerance) == Truth::no)
       return departs("the ends differ");
     return undecided("an arc comes in another form");
   }
-  const bool line_and_arc3 = (want.kind == RecordKind::feed && have.kind == RecordKind::arc3) ||
-                             (want.kind == RecordKind::arc3 && have.kind == RecordKind::feed);
-  const bool may_be_flat =
-      line_and_arc3 && agree(want_.to, got.to, tolerances_.tolerance) != Truth::no;
+  const bool may_be_flat = are(RecordKind::feed, RecordKind::arc3) &&
+                           agree(want_.to, got.to, tolerances_.tolerance) != Truth::no;
   if (may_be_flat) return undecided("an arc that may be as flat as its chord");
   if (want.kind != have.kind) return departs("the kinds differ");
   if (tolerances_.has_blocks && have.block == 0) return undecided("a record names no source line");
@@ -172,8 +167,9 @@ StepAnswer MotionMatch::check_words(const Motion& got) const {
   return near == Truth::no ? departs("the times differ") : undecided("a dwell may be rounded");
 }
 
-// Each axis runs toward its end, and no farther.
-StepAnswer MotionMatch::take_rapid(const Motion& got) const {
+// Each axis runs toward its end, and no farther. It may turn back by the tolerance, in all by
+// twice that from the farthest place (R4).
+StepAnswer MotionMatch::take_rapid(const Motion& got) {
   Truth allowed = Truth::yes;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!want_.from[axis] || !want_.to[axis] || !got.from[axis] || !got.to[axis]) continue;
@@ -188,8 +184,12 @@ StepAnswer MotionMatch::take_rapid(const Motion& got) const {
       step = -step;
       beyond = -beyond;
     }
-    allowed =
-        allowed && at_most(-step, tolerances_.tolerance) && at_most(beyond, tolerances_.tolerance);
+    for (const Real& place : {beyond - step, beyond}) {
+      if (!ahead_[axis] || at_most(*ahead_[axis], place) == Truth::yes) ahead_[axis] = place;
+    }
+    allowed = allowed && at_most(-step, tolerances_.tolerance) &&
+              at_most(beyond, tolerances_.tolerance) &&
+              at_most(*ahead_[axis] - beyond, Real(2) * tolerances_.tolerance);
   }
   if (allowed != Truth::yes) return answer(allowed, "a traverse leaves the way to its end");
   const Truth done = agree(want_.to, got.to, tolerances_.tolerance);
@@ -292,8 +292,8 @@ StepAnswer MotionMatch::arc_so_far(const Motion& so_far) const {
   const Truth ends = agree(want_.to, so_far.to, tolerances_.tolerance);
   if (ends == Truth::no) return part_of_arc(so_far);
   if (ends == Truth::unknown) return undecided("the ends may differ");
-  const long wanted = want.rotation < 0 ? -want.rotation : want.rotation;
-  const long made = so_far.record.rotation < 0 ? -so_far.record.rotation : so_far.record.rotation;
+  const long wanted = std::abs(want.rotation);
+  const long made = std::abs(so_far.record.rotation);
   if (!plane_near(want_, Real(3) * tolerances_.tolerance)) {
     if (wanted == made) return {};
     return made < wanted ? undecided("a helix in pieces") : departs("the turns differ");

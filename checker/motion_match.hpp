@@ -33,7 +33,7 @@ class MotionMatch {
     std::vector<Real> upper{Real(1)};
   };
   StepAnswer check_words(const Motion& got) const;
-  StepAnswer take_rapid(const Motion& got) const;
+  StepAnswer take_rapid(const Motion& got);
   StepAnswer take_line(const Motion& got);
   Truth bounds_of(const Position& point, Bounds& bounds) const;
   Truth goes_back(const Bounds& bounds) const;
@@ -45,6 +45,7 @@ class MotionMatch {
 
   const Motion& want_;
   const Tolerances& tolerances_;
+  Position ahead_;               // of a traverse: the farthest so far of each axis, from its end
   std::vector<Real> passed_;     // of a line: lower bounds of the points so far
   std::optional<Motion> piece_;  // of an arc: what the subject has done of it
 };

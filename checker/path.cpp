@@ -109,13 +109,15 @@ bool join(Motion& first, const Motion& second) {
   return true;
 }
 
-// Whether the motion goes nowhere. An arc that is closed makes a turn, unless it is so short that
-// its ends agree without being equal.
-Truth is_nil(const Motion& motion, const Real& tolerance, bool keeps_short_arcs) {
+// Whether the motion goes nowhere: it stays by `place`, where the last one that counts ended. An
+// arc that is closed makes a turn, unless it is so short that its ends agree without being equal.
+Truth is_nil(const Motion& motion, const Position& place, const Real& tolerance,
+             bool keeps_short_arcs) {
   const Record& record = motion.record;
   if (record.kind == RecordKind::dwell) return record.seconds.is_zero();
   if (!knows_its_start(motion)) return Truth::no;
-  const Truth agrees = agree(motion.from, motion.to, tolerance);
+  const Truth agrees =
+      stays_by(motion, motion.from, tolerance) && stays_by(motion, place, tolerance);
   if (record.kind != RecordKind::arc) return agrees;
   if (agrees == Truth::no || keeps_short_arcs) return Truth::no;
   if (record.rotation < -1 || record.rotation > 1) return Truth::no;
@@ -130,7 +132,7 @@ Truth is_nil(const Motion& motion, const Real& tolerance, bool keeps_short_arcs)
 class Builder {
  public:
   explicit Builder(const PathTolerances& tolerances) : tolerances_(tolerances) {
-    path_.end = tolerances.start;
+    path_.end = place_ = tolerances.start;
   }
 
   void take(const Record& record, std::size_t place) {
@@ -149,11 +151,15 @@ class Builder {
     motion.to = path_.end;
     motion.place = place;
     motion.is_open = tolerances_.is_open && tolerances_.is_open(record);
-    const Truth nil = is_nil(motion, tolerances_.tolerance, tolerances_.keeps_short_arcs);
+    const Truth nil = is_nil(motion, place_, tolerances_.tolerance, tolerances_.keeps_short_arcs);
     if (nil == Truth::unknown) path_.is_doubtful = true;
-    if (nil == Truth::yes) path_.drops = true;
-    if (nil != Truth::yes) append(std::move(motion));
-    parts_ = nil == Truth::yes;
+    const bool is_dropped = nil == Truth::yes && !is_more_of_line(motion);
+    if (is_dropped) {
+      path_.drops = true;
+    } else {
+      append(std::move(motion));
+    }
+    parts_ = is_dropped;
   }
   Path finish() { return std::move(path_); }
 
@@ -163,9 +169,18 @@ class Builder {
     if (tolerances_.renaming == 0 || is_before) return;
     // Programs are not read here, so that any later line may rename it again.
     path_.is_doubtful = true;
-    path_.end = Position();
+    path_.end = place_ = Position();
+  }
+  // However short, it makes the line before it longer.
+  bool is_more_of_line(const Motion& motion) const {
+    const RecordKind kind = motion.record.kind;
+    const bool is_straight =
+        kind == RecordKind::rapid || kind == RecordKind::feed || kind == RecordKind::thread;
+    return is_straight && !parts_ && !path_.motions.empty() &&
+           goes_on(path_.motions.back(), motion) == Truth::yes;
   }
   void append(Motion motion) {
+    if (motion.record.kind != RecordKind::dwell) place_ = motion.to;
     if (!path_.motions.empty()) {
       const Truth joins = goes_on(path_.motions.back(), motion);
       if (joins == Truth::yes && join(path_.motions.back(), motion)) {
@@ -183,6 +198,7 @@ class Builder {
 
   const PathTolerances& tolerances_;
   bool parts_ = false;  // the last motion was dropped
+  Position place_;      // where the last motion that was not dropped ended
   Path path_;
 };
 
@@ -198,6 +214,12 @@ Truth agree(const Position& p, const Position& q, const Real& tolerance) {
     if (p[axis] && q[axis]) answer = answer && within(*p[axis], *q[axis], tolerance);
   }
   return answer;
+}
+
+Truth stays_by(const Motion& motion, const Position& place, const Real& reach) {
+  const Truth ends = agree(motion.from, place, reach) && agree(motion.to, place, reach);
+  return motion.record.kind == RecordKind::arc3 ? ends && agree(motion.record.via, place, reach)
+                                                : ends;
 }
 
 Real distance2(const Plane& plane, const Position& p, const Position& q) {

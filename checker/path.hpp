@@ -17,8 +17,6 @@ struct Motion {
   Position to;
   bool is_open = false;   // is_open_path
   std::size_t place = 0;  // of the record, from 0
-
-  bool moves(std::size_t axis) const { return record.to[axis].has_value(); }
 };
 
 struct Path {
@@ -46,6 +44,8 @@ Path make_path(const std::vector<Record>& records, const PathTolerances& toleran
 
 // Whether no axis that is known on both sides differs by more than the tolerance.
 Truth agree(const Position& p, const Position& q, const Real& tolerance);
+// Whether the ends of a motion, and the point that an arc in space passes, agree with the place.
+Truth stays_by(const Motion& motion, const Position& place, const Real& reach);
 // The square of the distance in the plane.
 Real distance2(const Plane& plane, const Position& p, const Position& q);
 // The sine of the turn from p to q about the centre: positive when q lies up to half a turn

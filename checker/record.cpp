@@ -30,6 +30,13 @@ void read_feed(const Json& value, Record& record) {
   record.per_revolution = mode->text == "rev";
 }
 
+Plane read_plane(std::string_view name) {
+  if (name == "G17") return {0, 1, 2};
+  if (name == "G18") return {2, 0, 1};
+  if (name == "G19") return {1, 2, 0};
+  throw Fault("The plane \"" + std::string(name) + "\" is unknown.");
+}
+
 void read_arc(const Json& value, Record& record) {
   record.plane = read_plane(value.text_of("plane"));
   record.centre = read_position(value.member("c", Json::Kind::object));
@@ -46,13 +53,6 @@ void read_arc(const Json& value, Record& record) {
 
 std::string_view name(RecordKind kind) {
   return kKinds[static_cast<std::size_t>(kind)];
-}
-
-Plane read_plane(std::string_view name) {
-  if (name == "G17") return {0, 1, 2};
-  if (name == "G18") return {2, 0, 1};
-  if (name == "G19") return {1, 2, 0};
-  throw Fault("The plane \"" + std::string(name) + "\" is unknown.");
 }
 
 Position read_position(const Json& value) {

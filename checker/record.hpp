@@ -52,7 +52,6 @@ struct Alarm {
 
 // Throws Fault.
 Position read_position(const Json& value);
-Plane read_plane(std::string_view name);
 Record read_record(const Json& value);
 Alarm read_alarm(const Json& value);
 

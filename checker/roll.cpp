@@ -12,56 +12,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words texts_at(const Json& object, std::string_view key) {
-  const Json* list = object.find(key);
-  return list == nullptr ? Words() : list->texts();
-}
-
-std::string text_at(const Json& object, std::string_view key) {
-  const Json* value = object.find(key);
-  return value != nullptr && value->is(Json::Kind::text) ? value->text : std::string();
-}
-
-// The values of an option, given as two words or with '='.
-Words values_of(const Words& argv, const std::string& option) {
-  Words values;
-  for (std::size_t i = 0; i < argv.size(); ++i) {
-    if (argv[i] == option && i + 1 < argv.size()) {
-      values.push_back(argv[++i]);
-    } else if (argv[i].starts_with(option + "=")) {
-      values.push_back(argv[i].substr(option.size() + 1));
-    }
-  }
-  return values;
-}
-
-bool same_number(const Words& asked, const std::string& told) {
-  if (asked.empty() || told.empty()) return asked.empty() && told.empty();
-  try {
-    return parse_rational(asked.back()) == parse_rational(told);
-  } catch (const Fault&) {
-    return false;
-  }
-}
-
-// Whether the last word of a flag sets it: the bare flag, or one with a value that is not no.
-bool is_set(const Words& argv, const std::string& flag) {
-  bool holds = false;
-  for (const std::string& word : argv) {
-    if (word == flag) holds = true;
-    if (!word.starts_with(flag + "=")) continue;
-    std::string value = word.substr(flag.size() + 1);
-    for (char& c : value) {
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    const bool is_zero = value.ends_with('0') && value.find_first_not_of("+0") == std::string::npos;
-    const bool is_no = value == "false" || value == "off" || value == "no" || value == "disable" ||
-                       value == "f" || value == "n" || value.starts_with("-");
-    holds = !is_zero && !is_no;
-  }
-  return holds;
-}
-
 Json* member_of(Json& object, std::string_view key) {
   const auto found = std::ranges::find(object.members, key, &JsonMember::key);
   return found == object.members.end() ? nullptr : &found->value;
@@ -84,10 +34,10 @@ bool join(Json& into, const Json& from) {
 
 // The families of readings; some of SINUMERIK are of the 802S alone.
 bool is_of(const std::string& reading, const std::string& dialect) {
-  constexpr std::array<std::string_view, 11> kBoth = {
-      "sie.arc.correct",    "sie.cr.tolerance",    "sie.arc.plane",     "sie.ar.zero",
-      "sie.ap.g91",         "sie.pole.same-plane", "sie.cip.collinear", "sie.spindle",
-      "sie.initial-motion", "sie.g70.f",           "sie.feed-change"};
+  constexpr std::array<std::string_view, 12> kBoth = {
+      "sie.arc.correct", "sie.cr.tolerance",   "sie.cr.centre",       "sie.arc.plane",
+      "sie.ar.zero",     "sie.ap.g91",         "sie.pole.same-plane", "sie.cip.collinear",
+      "sie.spindle",     "sie.initial-motion", "sie.g70.f",           "sie.feed-change"};
   if (reading.starts_with("gsk.")) return dialect == "gsk988ta";
   if (reading.starts_with("hnc.")) return dialect == "hnc21t";
   if (reading.starts_with("ngc.")) return dialect == "rs274";
@@ -128,66 +78,7 @@ bool choose(Json& profile, const std::string& key, const std::string& value) {
   return true;
 }
 
-Words declared_dialects(const Json& header) {
-  Words names;
-  const Json* declared = header.member("subject", Json::Kind::object).find("dialects");
-  if (declared == nullptr || !declared->is(Json::Kind::object)) return names;
-  for (const JsonMember& dialect : declared->members) names.push_back(dialect.key);
-  return names;
-}
-
 }  // namespace
-
-std::vector<std::string> header_faults(const Json& header) {
-  const Words argv = texts_at(header, "argv");
-  std::vector<std::string> faults;
-  if (argv.empty() || argv.front() != "certify") return faults;
-  const auto need = [&](const std::string& option, bool holds) {
-    if (!holds) faults.push_back("The header and its command line differ in " + option + ".");
-  };
-  for (const char* option :
-       {"--tolerance", "--chord", "--feed-resolution", "--blend", "--feed-tolerance"}) {
-    std::string key(option + 2);
-    std::ranges::replace(key, '-', '_');
-    need(option, same_number(values_of(argv, option), text_at(header, key)));
-  }
-  for (const char* option : {"--known-failures", "--alarm-map"}) {
-    std::string key(option + 2);
-    std::ranges::replace(key, '-', '_');
-    need(option, values_of(argv, option).empty() == text_at(header, key).empty());
-  }
-  const Words shard = values_of(argv, "--shard");
-  need("--shard", text_at(header, "shard") == (shard.empty() ? "1/1" : shard.back()));
-  need("--reading", values_of(argv, "--reading") == texts_at(header, "readings"));
-  for (const char* option : {"--strict", "--show-ids"}) {
-    std::string key(option + 2);
-    std::ranges::replace(key, '-', '_');
-    const Json* told = header.find(key);
-    need(option, is_set(argv, option) == (told != nullptr && told->truth));
-  }
-  const Words sandbox = values_of(argv, "--sandbox");
-  const std::string sandboxed = text_at(header, "sandbox");
-  need("--sandbox", sandbox.empty() || sandbox.back() == "auto" || sandboxed.empty() ||
-                        (sandbox.back() == "off") == (sandboxed == "none"));
-  const bool has_profile = header.find("machine") != nullptr ||
-                           !header.member("profile", Json::Kind::object).members.empty();
-  need("--profile", has_profile == !values_of(argv, "--profile").empty());
-  const Json* selection = header.find("selection");
-  if (selection == nullptr || !values_of(argv, "--failed-of").empty()) return faults;
-  Words cases = texts_at(*selection, "cases");
-  if (const std::string one = text_at(*selection, "case"); !one.empty()) cases = {one};
-  need("--case", values_of(argv, "--case") == cases);
-  need("--only", values_of(argv, "--only") == texts_at(*selection, "only"));
-  need("--cycle", values_of(argv, "--cycle") == texts_at(*selection, "cycles"));
-  need("--clause", values_of(argv, "--clause") == texts_at(*selection, "clauses"));
-  const Words dialects = values_of(argv, "--dialect");
-  const Words told = texts_at(*selection, "dialects");
-  // J-RUN-14: without the option they are those that the subject declares.
-  const bool narrows = dialects.empty() &&
-                       (values_of(argv, "--subject").empty() || told == declared_dialects(header));
-  need("--dialect", narrows || dialects == told);
-  return faults;
-}
 
 Roll::Roll(const Json& header)
     : selection_(header), machine_(header.member("profile", Json::Kind::object)) {
@@ -197,7 +88,7 @@ Roll::Roll(const Json& header)
     sets_ = &machine->member("sets", Json::Kind::list);
   } else if (!machine_.members.empty()) {
     const Json* selection = header.find("selection");
-    const Words dialects = selection == nullptr ? Words() : texts_at(*selection, "dialects");
+    const Words dialects = selection == nullptr ? Words() : selection->texts_at("dialects");
     if (dialects.size() != 1)
       throw Fault("The header does not say of which dialect its profile is.");
     machine_dialect_ = dialects.front();
@@ -205,8 +96,8 @@ Roll::Roll(const Json& header)
   const Json& subject = header.member("subject", Json::Kind::object);
   const Json* declared = subject.find("dialects");
   if (declared != nullptr && declared->is(Json::Kind::object)) dialects_ = declared;
-  features_ = texts_at(subject, "features");
-  is_recorded_ = text_at(subject, "spec").starts_with("capture:");
+  features_ = subject.texts_at("features");
+  is_recorded_ = subject.text_at("spec").starts_with("capture:");
 }
 
 // Whether the profile says the key, which is a path of names.
@@ -268,8 +159,8 @@ void Roll::check_words(const Json& line, const Vector& vector) const {
   };
   need(line.text_of("dialect") == vector.dialect, "another dialect");
   need(line.text_of("cycle") == vector.cycle, "another cycle");
-  need(texts_at(line, "features") == vector.features, "other features");
-  need(texts_at(line, "clauses") == vector.clauses, "other clauses");
+  need(line.texts_at("features") == vector.features, "other features");
+  need(line.texts_at("clauses") == vector.clauses, "other clauses");
   const std::string& verdict = line.text_of("verdict");
   const Json* program = line.find("program");
   if (program != nullptr && program_bytes(*program) != vector.program) {
@@ -279,8 +170,8 @@ void Roll::check_words(const Json& line, const Vector& vector) const {
   const bool needs_program = decision != Decision::go && verdict != "skip";
   if (program == nullptr && needs_program) throw Fault("The line has no program.");
   if (line.find("trace") == nullptr && needs_program) throw Fault("The line has no trace.");
-  const std::string want = text_at(line, "want");
-  if (!want.empty() && want == text_at(line, "got"))
+  const std::string want = line.text_at("want");
+  if (!want.empty() && want == line.text_at("got"))
     throw Fault("It departs, and got what it wanted.");
   const bool expects_gap = std::ranges::any_of(vector.expect, [](const Expectation& one) {
     return one.ending == Expectation::Ending::not_covered;

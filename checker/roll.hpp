@@ -12,9 +12,12 @@
 
 namespace gonogo::checker {
 
-// In what the header differs from the command line that it names: sentences. Nothing of a run that
-// was merged.
+// In what the header differs from the command line that it names, that of a merged run from those
+// of its shards: sentences.
 std::vector<std::string> header_faults(const Json& header);
+// Whether there are programs that no command line of the header asks for: a sentence, or empty.
+// `fresh`: the key of the footer. Throws Fault.
+std::string fresh_fault(const Json& header, const Json& fresh);
 
 class Roll {
  public:

@@ -94,14 +94,14 @@ Selection::Selection(const Json& header) {
   }
   const Json* selection = header.find("selection");
   if (selection == nullptr) return;
-  dialects_ = selection->member("dialects", Json::Kind::list).texts();
-  only_ = selection->member("only", Json::Kind::list).texts();
+  dialects_ = selection->texts_of("dialects");
+  only_ = selection->texts_of("only");
   if (const Json* one = selection->find("case"); one != nullptr && !one->text.empty()) {
     cases_ = {one->text};
   }
   if (const Json* list = selection->find("cases")) cases_ = list->texts();
-  if (const Json* list = selection->find("cycles")) cycles_ = list->texts();
-  if (const Json* list = selection->find("clauses")) clauses_ = list->texts();
+  cycles_ = selection->texts_at("cycles");
+  clauses_ = selection->texts_at("clauses");
 }
 
 bool Selection::takes(const std::string& id, const Topic& topic) const {

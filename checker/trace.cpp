@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checker/trace.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -27,15 +28,6 @@ std::optional<Rational> declared(const Json& numeric, std::string_view key) {
   const Json* found = numeric.find(key);
   if (found == nullptr) return std::nullopt;
   return parse_rational(found->text);
-}
-
-bool lists(const Json& subject, std::string_view feature) {
-  const Json* features = subject.find("features");
-  if (features == nullptr) return false;
-  for (const std::string& name : features->texts()) {
-    if (name == feature) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -66,8 +58,12 @@ Tolerances tolerances_of(const Json& header, std::string_view dialect, const Jso
   tolerances.increment = least;
   tolerances.is_binary64 = kind != nullptr && kind->text == "binary64";
   tolerances.is_exact = kind != nullptr && kind->text == "exact";
-  tolerances.has_blocks = lists(subject, "blocks");
-  tolerances.has_functions = lists(subject, "m");
+  const std::vector<std::string> features = subject.texts_at("features");
+  const auto lists = [&](const char* feature) {
+    return std::ranges::find(features, feature) != features.end();
+  };
+  tolerances.has_blocks = lists("blocks");
+  tolerances.has_functions = lists("m");
   return tolerances;
 }
 

@@ -12,6 +12,7 @@
 #include "checker/results.hpp"
 #include "checker/roll.hpp"
 #include "checker/trace.hpp"
+#include "checker/verdict_report.hpp"
 
 namespace gonogo::checker {
 namespace {
@@ -31,7 +32,7 @@ class Verdicts {
  public:
   Verdicts(const VerdictOptions& options, std::FILE* out)
       : options_(options),
-        out_(out),
+        report_(options_, out),
         corpus_(options.corpus),
         results_(options.results),
         roll_(results_.header()) {}
@@ -46,43 +47,29 @@ class Verdicts {
         note_readings(line);
         take(line);
       } catch (const Fault& fault) {
-        differs(id, fault.what());
+        report_.differs(id, fault.what());
       }
     }
     check_assignments();
-    for (const std::string& fault : results_.faults()) say("file", options_.results, fault);
-    file_faults_ += results_.faults().size();
+    for (const std::string& fault : results_.faults()) report_.file_fault(fault);
     check_complete();
     tell_what_no_line_shows();
-    return summary();
+    return report_.summary(results_.cases(), !results_.is_whole() || is_missing_);
   }
 
  private:
-  void say(const char* what, const std::string& where, const std::string& sentence) {
-    std::fprintf(out_, "%s  %s: %s\n", what, where.c_str(), sentence.c_str());
-  }
-  void file_fault(const std::string& sentence) {
-    say("file", options_.results, sentence);
-    ++file_faults_;
-  }
-  void differs(const std::string& id, const std::string& sentence) {
-    say("differs", id, sentence);
-    ++differing_;
-  }
-  void leave_out(const std::string& reason) { ++left_out_[reason]; }
-
   void check_header() {
     const Json& named = results_.header().member("corpus", Json::Kind::object);
     if (named.text_of("sha256") != corpus_.sha256()) {
-      file_fault("The run was made with another corpus than the one in " + options_.corpus + ".");
+      report_.file_fault("The run was made with another corpus than the one in " + options_.corpus +
+                         ".");
     }
     if (named.text_of("version") != corpus_.version()) {
-      file_fault("The run names another version of the corpus than the one in " + options_.corpus +
-                 ".");
+      report_.file_fault("The run names another version of the corpus than the one in " +
+                         options_.corpus + ".");
     }
-    for (const std::string& fault : header_faults(results_.header())) file_fault(fault);
-    for (const std::string& fault : corpus_.faults()) say("corpus", options_.corpus, fault);
-    file_faults_ += corpus_.faults().size();
+    for (const std::string& fault : header_faults(results_.header())) report_.file_fault(fault);
+    for (const std::string& fault : corpus_.faults()) report_.corpus_fault(fault);
   }
 
   bool has_known_failures() const {
@@ -92,19 +79,14 @@ class Verdicts {
   void take(const Json& line);
   void note_readings(const Json& line);
   void take_skip(const Json& line, const Vector& vector);
-  void unproven(const std::string& reason) {
-    leave_out(reason);
-    ++unproven_;
-  }
   std::string stated_against(const std::string& verdict, const Derived& derived);
   void check_explaining(const Json& line, const Vector& vector, const Derived& derived);
   void check_assignments();
   void check_complete();
   void tell_what_no_line_shows();
-  int summary();
 
   VerdictOptions options_;
-  std::FILE* out_;
+  VerdictReport report_;
   Corpus corpus_;
   ResultsFile results_;
   Roll roll_;
@@ -113,14 +95,7 @@ class Verdicts {
   std::map<std::string, std::string> refused_;
   std::map<std::string, std::string> run_;
   Assignments assignments_;
-  std::size_t derived_go_ = 0;
-  std::size_t derived_no_go_ = 0;
-  std::size_t derived_gap_ = 0;
-  std::size_t differing_ = 0;
-  std::size_t file_faults_ = 0;
-  std::size_t missing_ = 0;
-  std::size_t unproven_ = 0;
-  std::map<std::string, std::size_t> left_out_;
+  bool is_missing_ = false;  // a case that was asked for
 };
 
 // As it was before the readings of the run were reconciled.
@@ -142,7 +117,7 @@ void Verdicts::note_readings(const Json& line) {
   // What is known to contradict other cases and does not is xpass: it passes, too.
   const bool passes = decision_of(verdict) == Decision::go || verdict == "xpass";
   if (readings == nullptr || !passes) return;
-  assignments_.add(readings->member("explaining", Json::Kind::list).texts());
+  assignments_.add(readings->texts_of("explaining"));
 }
 
 // Empty: they agree, or the case is left out.
@@ -153,27 +128,27 @@ std::string Verdicts::stated_against(const std::string& verdict, const Derived& 
   if (verdict == "xpass") stated = Decision::go;
   switch (derived.kind) {
     case Derived::Kind::undecided:
-      leave_out(derived.why);
+      report_.leave_out(derived.why);
       return {};
     case Derived::Kind::go:
       if (stated == Decision::undecided) {
-        leave_out("oracle-gap: the program could not tell");
+        report_.leave_out("oracle-gap: the program could not tell");
         return {};
       }
       if (stated == Decision::no_go) return "The file says " + verdict + "; derived: GO.";
-      ++derived_go_;
+      report_.agrees(derived.kind);
       return {};
     case Derived::Kind::gap:
       if (stated != Decision::undecided) {
         return "The file says " + verdict + "; derived: the corpus does not cover it.";
       }
-      ++derived_gap_;
+      report_.agrees(derived.kind);
       return {};
     case Derived::Kind::no_go:
       if (stated != Decision::no_go) {
         return "The file says " + verdict + "; derived: NO-GO. " + derived.why;
       }
-      ++derived_no_go_;
+      report_.agrees(derived.kind);
       return {};
   }
   return {};
@@ -189,8 +164,7 @@ bool is_unstated(const Json& line, const Vector& vector) {
              return expectation.when.contains(choice.first);
            });
   };
-  const std::vector<std::string> explaining =
-      readings->member("explaining", Json::Kind::list).texts();
+  const std::vector<std::string> explaining = readings->texts_of("explaining");
   return std::ranges::none_of(explaining, [&](const std::string& text) {
     return std::ranges::all_of(parse_assignment(text), is_stated);
   });
@@ -201,7 +175,7 @@ void Verdicts::check_explaining(const Json& line, const Vector& vector, const De
   const Json* readings = line.find("readings");
   if (readings == nullptr) return;
   std::vector<Readings> explaining;
-  for (const std::string& text : readings->member("explaining", Json::Kind::list).texts()) {
+  for (const std::string& text : readings->texts_of("explaining")) {
     explaining.push_back(parse_assignment(text));
   }
   for (std::size_t i = 0; i < vector.expect.size(); ++i) {
@@ -225,29 +199,29 @@ void Verdicts::take_skip(const Json& line, const Vector& vector) {
     if (feature == nullptr || feature->text != lacks) {
       throw Fault("It was not skipped for " + lacks + ", which the subject does not declare.");
     }
-    return leave_out("skipped: the subject does not declare what it needs");
+    return report_.leave_out("skipped: the subject does not declare what it needs");
   }
   if (!options_.traces.empty() && read_trace_file(options_.traces + "/" + vector.id + ".jsonl")) {
     throw Fault("It was skipped, but there is a trace of it.");
   }
   const bool is_bytes = feature != nullptr && feature->text == "bytes";
   if (line.find("expected") != nullptr) {
-    return leave_out("skipped: the corpus expects no answer");
+    return report_.leave_out("skipped: the corpus expects no answer");
   }
   if (!roll_.declares() || roll_.is_recorded() || is_bytes) {
-    return unproven("skipped: only the subject can say why");
+    return report_.unproven("skipped: only the subject can say why");
   }
   if (line.find("profile") == nullptr) {
     throw Fault("It was skipped, though the subject declares all that it needs.");
   }
   refused_.try_emplace(machine_of(line, results_.text()), vector.id);
-  unproven("skipped: only the subject can say whether it refuses the profile");
+  report_.unproven("skipped: only the subject can say whether it refuses the profile");
 }
 
 void Verdicts::take(const Json& line) {
   const std::string& id = line.text_of("id");
   // What was drawn in the run lies in no corpus; only its line describes it.
-  if (!corpus_.has(id) && id.starts_with("fresh.")) return unproven("a fresh program");
+  if (!corpus_.has(id) && id.starts_with("fresh.")) return report_.unproven("a fresh program");
   if (!corpus_.has(id)) throw Fault("The corpus has no such case.");
   const Vector vector = corpus_.read(id);
   roll_.check_words(line, vector);
@@ -264,38 +238,31 @@ void Verdicts::take(const Json& line) {
   const Json* departure = line.find("departure");
   const std::string what = verdict == "xfail" && departure != nullptr ? departure->text : verdict;
   if (const auto found = kNoTraceTells.find(what); found != kNoTraceTells.end()) {
-    leave_out(found->second);
-    return;
+    return report_.leave_out(found->second);
   }
   if (!roll_.is_same_machine(*roll_.profile_of(vector.dialect, vector.profile), vector.profile)) {
-    unproven("run under a profile of the certifier's");
-    return;
+    return report_.unproven("run under a profile of the certifier's");
   }
   std::optional<Trace> trace;
   if (!options_.traces.empty()) trace = read_trace_file(options_.traces + "/" + id + ".jsonl");
   if (!trace && line.find("trace") != nullptr) trace = trace_of_line(line);
-  if (!trace) {
-    unproven("no trace is kept");
-    return;
-  }
+  if (!trace) return report_.unproven("no trace is kept");
   // What runs on by a rule that no text states may be refused; nothing else of it is open.
-  const Json* stated = line.find("departure");
   const bool may_be_advice = std::ranges::any_of(vector.expect, &Expectation::is_silent) ||
-                             (stated != nullptr && stated->text.starts_with("fail.alarm"));
+                             (departure != nullptr && departure->text.starts_with("fail.alarm"));
   if (verdict == "advice" && !may_be_advice) {
-    return differs(id, "The file says advice; a text states what the case expects.");
+    return report_.differs(id, "The file says advice; a text states what the case expects.");
   }
   const Derived derived = derive(vector, *trace, results_.header());
   if (derived.kind == Derived::Kind::no_go && is_unstated(line, vector)) {
-    leave_out("readings of which the vector does not speak");
-    return;
+    return report_.leave_out("readings of which the vector does not speak");
   }
   if (const std::string difference = stated_against(verdict, derived); !difference.empty()) {
-    differs(id, difference);
+    report_.differs(id, difference);
   } else if (derived.kind == Derived::Kind::go) {
     check_explaining(line, vector, derived);
   } else if (verdict == "xfail") {
-    unproven("xfail: departs, but known failures are not read here");
+    report_.unproven("xfail: departs, but known failures are not read here");
   }
 }
 
@@ -303,7 +270,7 @@ void Verdicts::check_assignments() {
   if (!results_.is_whole()) return;
   const Json& stated = results_.footer()->member("assignments", Json::Kind::list);
   const std::string difference = assignments_.against(stated.texts());
-  if (!difference.empty()) file_fault(difference);
+  if (!difference.empty()) report_.file_fault(difference);
 }
 
 // Which cases there must be; those that the certifier's profile contradicts are left out.
@@ -314,62 +281,47 @@ void Verdicts::check_complete() {
   corpus_.for_each([&](const std::string& id, const Topic& topic) {
     const bool is_there = seen_.contains(id);
     if (!roll_.takes(id, topic)) {
-      if (is_there) file_fault("The case " + id + " was not asked for.");
+      if (is_there) report_.file_fault("The case " + id + " was not asked for.");
     } else if (!roll_.profile_of(topic.dialect, corpus_.profile_of(id))) {
       ++left_out;
     } else if (!is_there && ++missing == 1) {
       first = id;
     }
   });
-  missing_ = missing;
-  if (missing > 0) {
-    file_fault(std::to_string(missing) + " cases that were asked for are not there, " + first +
-               " among them.");
+  is_missing_ = missing > 0;
+  if (is_missing_) {
+    report_.file_fault(std::to_string(missing) + " cases that were asked for are not there, " +
+                       first + " among them.");
   }
   for (const auto& [machine, skipped] : refused_) {
     const auto run = run_.find(machine);
     if (run == run_.end()) continue;
-    file_fault("The case " + skipped + " was skipped, but " + run->second +
-               " was run under the same profile.");
+    report_.file_fault("The case " + skipped + " was skipped, but " + run->second +
+                       " was run under the same profile.");
   }
-  if (!results_.is_whole()) return file_fault("There is no footer: the run did not end.");
+  if (!results_.is_whole()) return report_.file_fault("There is no footer: the run did not end.");
   const Json* told = results_.footer()->find("left_out");
   if ((told == nullptr ? 0 : told->integer()) != left_out) {
-    file_fault("The footer leaves another number of cases out than the certifier's profile does: " +
-               std::to_string(left_out) + ".");
+    report_.file_fault(
+        "The footer leaves another number of cases out than the certifier's profile does: " +
+        std::to_string(left_out) + ".");
   }
 }
 
 void Verdicts::tell_what_no_line_shows() {
   if (has_known_failures()) {
-    say("open", options_.results, "Which passes are known to fail was not derived.");
-    ++unproven_;
+    report_.open("Which passes are known to fail was not derived.");
+    report_.note_unproven();
   }
   const Json* fresh = results_.is_whole() ? results_.footer()->find("fresh") : nullptr;
   if (fresh == nullptr) return;
+  const std::string unasked = fresh_fault(results_.header(), *fresh);
+  if (!unasked.empty()) report_.file_fault(unasked);
   for (const auto& [dialect, count] : fresh->members) {
-    say("open", options_.results,
-        "No line shows what the subject did with " + std::to_string(count.integer_of("programs")) +
-            " fresh programs of " + dialect + ".");
+    report_.open("No line shows what the subject did with " +
+                 std::to_string(count.integer_of("programs")) + " fresh programs of " + dialect +
+                 ".");
   }
-}
-
-int Verdicts::summary() {
-  const std::size_t derived = derived_go_ + derived_no_go_ + derived_gap_;
-  std::size_t left = 0;
-  for (const auto& [reason, count] : left_out_) left += count;
-  std::fprintf(out_, "%zu cases: %zu verdicts derived again (%zu GO, %zu NO-GO, %zu not covered), ",
-               results_.cases(), derived, derived_go_, derived_no_go_, derived_gap_);
-  std::fprintf(out_, "%zu differ, %zu not decided here\n", differing_, left);
-  for (const auto& [reason, count] : left_out_) {
-    std::fprintf(out_, "  %6zu  %s\n", count, reason.c_str());
-  }
-  if (file_faults_ > 0) std::fprintf(out_, "%zu things do not hold of the file\n", file_faults_);
-  const bool is_incomplete = !results_.is_whole() || missing_ > 0;
-  if (differing_ > 0) return 1;
-  if (is_incomplete) return 3;
-  if (file_faults_ > 0) return 1;
-  return unproven_ > 0 || derived_go_ + derived_no_go_ == 0 ? 3 : 0;
 }
 
 }  // namespace

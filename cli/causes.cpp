@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <exception>
 #include <map>
-#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -81,7 +80,7 @@ std::vector<ProgramAsked> asked_of(const oracle::Finding& finding, const Program
 class Naming {
  public:
   Naming(const oracle::Corpus& corpus, const oracle::SubjectMaker& make,
-         const identify::AttributionOptions& options, std::size_t most)
+         const identify::ExplanationOptions& options, std::size_t most)
       : corpus_(corpus), make_(make), options_(options), most_(most) {}
 
   // Throws SubjectUnusable.
@@ -125,7 +124,7 @@ class Naming {
 
   const oracle::Corpus& corpus_;
   const oracle::SubjectMaker& make_;
-  const identify::AttributionOptions& options_;
+  const identify::ExplanationOptions& options_;
   std::size_t most_;
   std::size_t attributed_ = 0;
   std::vector<identify::LikelyCause> named_;
@@ -137,11 +136,7 @@ class Naming {
 oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracle::Corpus& corpus,
                                      const oracle::CampaignOptions& campaign,
                                      const oracle::SubjectMaker& make, std::size_t most) {
-  identify::AttributionOptions options;
-  options.tolerance = campaign.grants.tolerance;
-  options.chord = campaign.grants.chord;
-  options.feed_resolution = campaign.grants.feed_resolution;
-  options.most_records = kMostRecordsToExplain;
+  const identify::ExplanationOptions options{campaign.grants, kMostRecordsToExplain};
   std::vector<const oracle::Finding*> findings = summary.findings.list();
   std::erase_if(findings, [](const auto* finding) { return !may_have_cause(*finding); });
   if (findings.empty()) return {};
@@ -149,11 +144,10 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
   try {
     const Programs programs = programs_of(findings, corpus, campaign);
     for (const oracle::Finding* finding : findings) naming.take(*finding, programs);
-    return naming.causes();
   } catch (const std::exception&) {
     // The run has its answer; what it comes from is a courtesy.
-    return naming.causes();
   }
+  return naming.causes();
 }
 
 }  // namespace gonogo::cli

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/certify_header.hpp"
-
 #include "campaign/selection.hpp"
+#include "cli/certify_run.hpp"
 #include "cli/gauge.hpp"
 #include "cli/options.hpp"
 #include "cli/program_file.hpp"
-#include "cli/sandbox_options.hpp"
 #include "cli/version.hpp"
-#include "corpus/io/sha256.hpp"
+#include "publish/evidence/certificate_files.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -15,9 +13,7 @@ namespace {
 // The hash of a file; nothing without one.
 std::string sha256_of(const std::string& path) {
   if (path.empty()) return {};
-  oracle::Sha256 hash;
-  hash.update(read_file(path, "a file"));
-  return hash.hex();
+  return oracle::evidence::sha256_of_text(read_file(path, "a file"));
 }
 
 }  // namespace

@@ -18,19 +18,16 @@
 #include "campaign/trace_file.hpp"
 #include "capture/capture_tally.hpp"
 #include "cli/causes.hpp"
-#include "cli/certify_header.hpp"
 #include "cli/certify_selection.hpp"
-#include "cli/colour.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/first_subject.hpp"
 #include "cli/fresh_run.hpp"
 #include "cli/known_failures_file.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/run_end.hpp"
 #include "cli/run_limits.hpp"
-#include "cli/sandbox_options.hpp"
 #include "cli/subjects.hpp"
+#include "cli/terminal.hpp"
 #include "cli/verdict_text.hpp"
 
 namespace gonogo::cli {
@@ -46,8 +43,7 @@ void open_results(const CertifyOptions& options, const std::string& path,
   if (options.resume) need_same_limits(journal, options.limits);
   if (!options.resume && std::filesystem::exists(journal)) {
     complain(
-        "gonogo: {} of an unfinished run is overwritten; --resume would have gone on from "
-        "it.\n",
+        "gonogo: {} of an unfinished run is overwritten; --resume would have gone on from it.\n",
         journal);
   }
   using Start = oracle::ResultsWriter::Start;
@@ -99,21 +95,20 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
   ending.fresh = fresh;
   ending.is_complete = end.complete;
   if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
-  summary.answer =
-      results.close(ending, summary.footer, [&](const std::string& line, oracle::VerdictKind kind) {
-        if (captured != nullptr) captured->take(line);
-        const oracle::CaseFacts facts = oracle::facts_of(line);
-        const oracle::Finding* finding = summary.findings.add(facts.head, kind);
-        if (known != nullptr && !oracle::is_fresh(facts.id)) known->add(facts, kind, finding);
-        if (facts.head.attempts > kConfirming) {
-          ++summary.run_again;
-          summary.further_runs += facts.head.attempts - kConfirming;
-        }
-        if (finding != nullptr && summary.findings.is_smallest()) {
-          summary.smallest[finding->number] =
-              oracle::evidence::case_row(nlohmann::ordered_json::parse(line));
-        }
-      });
+  summary.footer = results.close(ending, [&](const std::string& line, oracle::VerdictKind kind) {
+    if (captured != nullptr) captured->take(line);
+    const oracle::CaseFacts facts = oracle::facts_of(line);
+    const oracle::Finding* finding = summary.findings.add(facts.head, kind);
+    if (known != nullptr && !oracle::is_fresh(facts.head.id)) known->add(facts, kind, finding);
+    if (facts.head.attempts > kConfirming) {
+      ++summary.run_again;
+      summary.further_runs += facts.head.attempts - kConfirming;
+    }
+    if (finding != nullptr && summary.findings.is_smallest()) {
+      summary.smallest[finding->number] =
+          oracle::evidence::case_row(nlohmann::ordered_json::parse(line));
+    }
+  });
   return summary;
 }
 
@@ -144,10 +139,7 @@ std::string captured_text(const CertifyOptions& options, const std::string& subj
   const std::string folder = oracle::parse_subject_spec(subject)->rest;
   return tally.text() + tally.files_text(folder, options.limits.manifest, [&] {
     std::set<std::string> ids;
-    corpus.for_each([&](const oracle::Case& test) {
-      ids.insert(test.id);
-      return true;
-    });
+    corpus.for_each([&](const oracle::Case& test) { ids.insert(test.id); });
     return ids;
   });
 }
@@ -220,8 +212,9 @@ Ended run_all(const CertifyOptions& options, const oracle::Corpus& corpus,
 void need_cases(const CampaignSummary& summary, const oracle::CampaignOptions& campaign,
                 const oracle::Corpus& corpus) {
   if (campaign.shards > 1) return;
-  if (summary.answer.cases < campaign.cases.size()) check_cases(campaign.cases, corpus);
-  if (summary.answer.cases == 0) throw UsageError(none_selected(corpus));
+  const std::size_t cases = summary.footer.answer.cases;
+  if (cases < campaign.cases.size()) check_cases(campaign.cases, corpus);
+  if (cases == 0) throw UsageError(none_selected(corpus));
 }
 
 // J-RUN-14: a run that names neither a dialect nor a case is of the dialects that the subject
@@ -270,8 +263,6 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
     if (options.order == "cycle") summary.order = oracle::Findings::Order::cycle;
     describe_smallest(corpus, header, summary);
     name_causes(options, corpus, campaign, maker, subject, report, summary);
-  } catch (const oracle::CorpusError& error) {
-    throw UsageError(error.what());
   } catch (const oracle::ResultsUnwritable& error) {
     // All that was judged is in the journal.
     throw OutputError(fmt::format("{}. What was judged so far is kept: make room and run the same "
@@ -285,13 +276,13 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
   if (known) beside += known->write(corpus, summary);
   tell_run(
       {summary_text(summary, subject, wants_colour(STDOUT_FILENO)) + beside,
-       summary.answer.exit_code,
+       summary.footer.answer.exit_code,
        {results_path, options.known_failures, options.alarm_map, options.profile, options.traces},
        report,
        options.certificate,
        &corpus,
        results->file_sha256()});
-  return summary.answer.exit_code;
+  return summary.footer.answer.exit_code;
 }
 
 }  // namespace gonogo::cli

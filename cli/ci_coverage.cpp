@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
 
 #include "cli/ci_words.hpp"
-#include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "corpus/io/corpus.hpp"
@@ -15,8 +14,8 @@ namespace gonogo::cli {
 namespace {
 
 void add_corpus_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach& reach) {
-  const oracle::Corpus corpus(corpus_folder(words.corpus));
-  oracle::CaseReader reader(corpus, oracle::Detail::whole, {words.dialect});
+  const oracle::Corpus corpus(corpus_folder(words.hunt.corpus));
+  oracle::CaseReader reader(corpus, oracle::Detail::whole, {words.hunt.dialect});
   while (const auto test = reader.next()) {
     for (const std::string& clause : test->clauses) reach.add_about(clause);
     const generate::GeneratedProgram program{test->profile, test->program};
@@ -26,9 +25,9 @@ void add_corpus_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach& 
 
 // The programs that showed something new, and those of the findings.
 void add_campaign_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach& reach) {
-  if (words.campaign.empty()) return;
-  for (const std::string& shard : shards_in(words.campaign)) {
-    const hunt::CampaignState state = state_for(shard, words.dialect);
+  if (words.hunt.campaign.empty()) return;
+  for (const std::string& shard : shards_in(words.hunt.campaign)) {
+    const hunt::CampaignState state = state_for(shard, words.hunt.dialect);
     for (const generate::GeneratedProgram& program : hunt::read_inputs(shard, state)) {
       reach.add(hunt::ProgramSource::campaign, program, trial.run(program));
     }
@@ -44,12 +43,12 @@ void add_campaign_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach
 
 int ci_coverage(const CiWords& asked) {
   CiWords words = asked;
-  words.dialect = load_profile({words.dialect, "", {}}).dialect;
-  hunt::Trial trial(trial_subject(words.trial), trial_options(words.trial));
-  hunt::Reach reach(words.dialect);
+  words.hunt.dialect = load_profile({words.hunt.dialect, "", {}}).dialect;
+  hunt::Trial trial(trial_subject(words.hunt.trial), trial_options(words.hunt.trial));
+  hunt::Reach reach(words.hunt.dialect);
   add_corpus_programs(words, trial, reach);
   add_campaign_programs(words, trial, reach);
-  if (!words.out.empty()) oracle::write_file(words.out, reach.json(words.trial.subject));
+  if (!words.out.empty()) oracle::write_file(words.out, reach.json(words.hunt.trial.subject));
   Output output;
   output.text() = reach.text();
   output.tell();

@@ -1,35 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <array>
+
 #include "cli/certify_options.hpp"
 #include "cli/ci_words.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/hunt_causes.hpp"
 #include "cli/output.hpp"
-#include "cli/subject_files.hpp"
+#include "cli/subjects.hpp"
 #include "fuzz/hunt/prune.hpp"
 
 namespace gonogo::cli {
 namespace {
 
-const char* stand_text(hunt::FindingStand stand) {
-  switch (stand) {
-    case hunt::FindingStand::stands:
-      return "stands";
-    case hunt::FindingStand::mended:
-      return "mended";
-    case hunt::FindingStand::cannot_say:
-      return "cannot say";
-  }
-  return "";
-}
+// In the order of FindingStand.
+constexpr std::array<std::string_view, 3> kStands = {"stands", "mended", "cannot say"};
 
 std::string pruned_text(const std::string& folder, const hunt::Pruned& pruned) {
   std::string text = fmt::format("{}: {} of {} programs show all {} features\n", folder,
                                  pruned.inputs, pruned.inputs_before, pruned.features);
   for (const hunt::TriedFinding& finding : pruned.findings) {
-    text += fmt::format("  {:<11}{}  {}\n", stand_text(finding.stand), finding.signature.text(),
-                        finding.id);
+    text += fmt::format("  {:<11}{}  {}\n", kStands[static_cast<std::size_t>(finding.stand)],
+                        finding.signature.text(), finding.id);
   }
   return text;
 }
@@ -38,11 +31,11 @@ std::string pruned_text(const std::string& folder, const hunt::Pruned& pruned) {
 // at.
 int prune_known_failures(const CiWords& words) {
   CertifyOptions options = certify_options(words);
-  options.report = words.campaign + "/known-failures";
-  options.write_known_failures = words.known_failures;
+  options.report = words.hunt.campaign + "/known-failures";
+  options.write_known_failures = words.hunt.known_failures;
   options.jobs = 0;  // the machine's
   options.causes = 0;
-  for (const oracle::KnownFailure& entry : load_known_failures(words.known_failures)) {
+  for (const oracle::KnownFailure& entry : load_known_failures(words.hunt.known_failures)) {
     options.only.push_back(entry.cases);
   }
   if (options.only.empty()) return kGo;
@@ -72,18 +65,18 @@ hunt::CampaignState state_for(const std::string& shard, const std::string& diale
 }
 
 int ci_prune(const CiWords& words) {
-  const std::vector<std::string> shards = shards_in(words.campaign);
-  hunt::Trial trial(trial_subject(words.trial), trial_options(words.trial));
+  const std::vector<std::string> shards = shards_in(words.hunt.campaign);
+  hunt::Trial trial(trial_subject(words.hunt.trial), trial_options(words.hunt.trial));
   Output output;
   for (const std::string& shard : shards) {
     output.text() += pruned_text(shard, hunt::prune_campaign(shard, trial));
   }
-  const hunt::HuntSummary summary = tell_campaign(words.campaign, words.trial);
+  const hunt::HuntSummary summary = tell_campaign(words.hunt.campaign, words.hunt.trial);
   output.text() += finding_list_text(summary);
-  output.text() +=
-      fmt::format("{}, {}: {}\n", words.trial.subject, summary.dialect, findings_text(summary));
+  output.text() += fmt::format("{}, {}: {}\n", words.hunt.trial.subject, summary.dialect,
+                               findings_text(summary));
   output.tell();
-  return words.known_failures.empty() ? kGo : prune_known_failures(words);
+  return words.hunt.known_failures.empty() ? kGo : prune_known_failures(words);
 }
 
 }  // namespace gonogo::cli

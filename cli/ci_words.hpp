@@ -13,22 +13,9 @@
 namespace gonogo::cli {
 
 struct CiWords {
-  TrialWords trial;
-  std::string dialect;
-  std::string campaign;
-  std::string corpus;
-  std::string known_failures;
+  HuntWords hunt;  // programs 0: the mode's own
   std::string report = "report";
   std::string out;
-  std::string profile;
-  std::vector<std::string> readings;
-  std::string settings;
-  std::string time;
-  std::string shard = "1/1";
-  long programs = 0;  // 0: the mode's own
-  long seed = 1;
-  long jobs = 1;
-  long round = 2'000;
 };
 
 // The folders of a campaign's shards, sorted. Throws UsageError where there is none.

@@ -65,7 +65,7 @@ Command Command::add_hidden_command(const std::string& name, const std::string& 
   return {*command, *exit_code_};
 }
 
-Command& Command::group(const CommandGroup& group) {
+void Command::group(const CommandGroup& group) {
   for (const auto& [name, examples] : group.commands) {
     CLI::App* command = app_->get_subcommand(name);
     command->group(group.name);
@@ -73,64 +73,48 @@ Command& Command::group(const CommandGroup& group) {
     for (const std::string& example : examples) text += "\n  gonogo " + example;
     command->footer(text);
   }
-  return *this;
 }
 
-Command& Command::require_command() {
+void Command::require_command() {
   app_->require_subcommand(1);
-  return *this;
 }
 
-Command& Command::argument(const std::string& name, std::string& value, const std::string& text) {
+void Command::needed(const std::string& name, std::string& value, const std::string& text) {
   app_->add_option(name, value, text)->required()->check(not_empty());
-  return *this;
 }
 
-Command& Command::arguments(const std::string& name, std::vector<std::string>& values,
-                            const std::string& text) {
+void Command::arguments(const std::string& name, std::vector<std::string>& values,
+                        const std::string& text) {
   app_->add_option(name, values, text)->required()->check(not_empty());
-  return *this;
 }
 
-Command& Command::option(const std::string& name, std::string& value, const std::string& text) {
+void Command::option(const std::string& name, std::string& value, const std::string& text) {
   app_->add_option(name, value, text)->check(not_empty());
-  return *this;
 }
 
-Command& Command::needed_option(const std::string& name, std::string& value,
-                                const std::string& text) {
-  app_->add_option(name, value, text)->required()->check(not_empty());
-  return *this;
-}
-
-Command& Command::repeated_option(const std::string& name, std::vector<std::string>& values,
-                                  const std::string& text) {
+void Command::repeated_option(const std::string& name, std::vector<std::string>& values,
+                              const std::string& text) {
   app_->add_option(name, values, text + "; may be repeated")
       ->allow_extra_args(false)
       ->check(not_empty());
-  return *this;
 }
 
-Command& Command::choice(const std::string& name, std::string& value,
-                         const std::vector<std::string>& of, const std::string& text) {
+void Command::choice(const std::string& name, std::string& value,
+                     const std::vector<std::string>& of, const std::string& text) {
   app_->add_option(name, value, text)->check(one_of(of));
-  return *this;
 }
 
-Command& Command::number(const std::string& name, long& value, long low, long high,
-                         const std::string& text) {
+void Command::number(const std::string& name, long& value, long low, long high,
+                     const std::string& text) {
   app_->add_option(name, value, text)->transform(whole_number(low, high));
-  return *this;
 }
 
-Command& Command::flag(const std::string& name, bool& value, const std::string& text) {
+void Command::flag(const std::string& name, bool& value, const std::string& text) {
   app_->add_flag(name, value, text);
-  return *this;
 }
 
-Command& Command::needs(const std::vector<std::string>& options, const std::string& other) {
+void Command::needs(const std::vector<std::string>& options, const std::string& other) {
   for (const std::string& name : options) app_->get_option(name)->needs(app_->get_option(other));
-  return *this;
 }
 
 void Command::run(std::function<int()> action) {

@@ -55,29 +55,28 @@ class Command {
   // One that the help does not name.
   Command add_hidden_command(const std::string& name, const std::string& text);
   // All commands have to be there.
-  Command& group(const CommandGroup& group);
+  void group(const CommandGroup& group);
   // One of its own commands has to be given.
-  Command& require_command();
+  void require_command();
 
-  // A word without a name, which is needed; `arguments`: one or more.
-  Command& argument(const std::string& name, std::string& value, const std::string& text);
-  Command& arguments(const std::string& name, std::vector<std::string>& values,
-                     const std::string& text);
+  // An option that is needed; of a name without hyphens a word without a name. `arguments`: one
+  // such word or more.
+  void needed(const std::string& name, std::string& value, const std::string& text);
+  void arguments(const std::string& name, std::vector<std::string>& values,
+                 const std::string& text);
   // --name VALUE
-  Command& option(const std::string& name, std::string& value, const std::string& text);
-  Command& needed_option(const std::string& name, std::string& value, const std::string& text);
-  Command& repeated_option(const std::string& name, std::vector<std::string>& values,
-                           const std::string& text);
+  void option(const std::string& name, std::string& value, const std::string& text);
+  void repeated_option(const std::string& name, std::vector<std::string>& values,
+                       const std::string& text);
   // One of a few words.
-  Command& choice(const std::string& name, std::string& value, const std::vector<std::string>& of,
-                  const std::string& text);
+  void choice(const std::string& name, std::string& value, const std::vector<std::string>& of,
+              const std::string& text);
   // A whole number in [low, high].
-  Command& number(const std::string& name, long& value, long low, long high,
-                  const std::string& text);
-  Command& flag(const std::string& name, bool& value, const std::string& text);
+  void number(const std::string& name, long& value, long low, long high, const std::string& text);
+  void flag(const std::string& name, bool& value, const std::string& text);
 
   // An option that has no effect without another one is refused without it.
-  Command& needs(const std::vector<std::string>& options, const std::string& other);
+  void needs(const std::vector<std::string>& options, const std::string& other);
 
   // What the command does when it is chosen; gives the exit code.
   void run(std::function<int()> action);

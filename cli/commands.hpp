@@ -3,9 +3,17 @@
 // The commands of the program, one file each in cli/commands. Each adds itself to the command line.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cli/command_line.hpp"
 
 namespace gonogo::cli {
+
+// The words of the command line after the program's name, kept for the results.
+std::vector<std::string>& arguments();
+// Each command with its place in the help and two examples.
+std::vector<CommandGroup> command_groups();
 
 void add_expand(Command& program);
 void add_explain(Command& program);

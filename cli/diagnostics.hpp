@@ -4,21 +4,28 @@
 // caret, and the clause.
 #pragma once
 
+#include <string>
 #include <string_view>
 
-#include "grammar/line_source.hpp"
-#include "reference/outcome.hpp"
+#include "cli/output.hpp"
+#include "oracle/records/text.hpp"
+#include "reference/outcome_text.hpp"
 
 namespace gonogo::cli {
 
-void report_alarms(const reference::AlarmReport& report, std::string_view file,
-                   std::string_view line);
-void report_warning(const reference::Warning& warning, std::string_view file,
-                    const grammar::Line& line);
-void report_not_covered(const reference::NotCovered& outside, std::string_view file,
-                        std::string_view line);
+// An AlarmReport, a Warning or a NotCovered, with the line of the program that it is about.
+template <typename Diagnostic, typename Line>
+void report_diagnostic(const Diagnostic& diagnostic, std::string_view file, const Line& line) {
+  std::string text;
+  reference::append_diagnostic(diagnostic, oracle::visible(file), line, text);
+  complain_each(text);
+}
 // Reads on in check-only mode: the next syntax errors, at most reference::kFurtherSyntaxErrors.
-void report_further_syntax_errors(grammar::Dialect dialect, grammar::LineSource& lines,
-                                  std::string_view file);
+inline void report_further_syntax_errors(grammar::Dialect dialect, grammar::LineSource& lines,
+                                         std::string_view file) {
+  std::string text;
+  reference::append_further_syntax_errors(dialect, lines, oracle::visible(file), text);
+  complain_each(text);
+}
 
 }  // namespace gonogo::cli

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <optional>
 
-#include "cli/svg_format.hpp"
 #include "publish/manual/motion_text.hpp"
 #include "reference/outcome_text.hpp"
 

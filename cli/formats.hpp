@@ -20,11 +20,8 @@ class RecordFormat {
   virtual void record(const reference::Record& record, std::string& out) = 0;
   virtual void alarm(const reference::AlarmReport& report, std::string& out) = 0;
   virtual void not_covered(const reference::NotCovered& outside, std::string& out) = 0;
-  virtual void places(std::uint64_t block, const reference::CyclePlaces& places) {
-    static_cast<void>(block);
-    static_cast<void>(places);
-  }
-  virtual void finish(std::string& out) { static_cast<void>(out); }
+  virtual void places(std::uint64_t /*block*/, const reference::CyclePlaces& /*places*/) {}
+  virtual void finish(std::string& /*out*/) {}
 };
 
 // "jsonl": the records of docs/protocol.md. "table": for people. "ngc": plain G00 to G03 in the
@@ -34,5 +31,9 @@ std::unique_ptr<RecordFormat> make_record_format(std::string_view name,
                                                  const reference::Profile& profile,
                                                  std::string_view program_name,
                                                  std::uint64_t named_block = 0);
+// The last of them.
+std::unique_ptr<RecordFormat> make_svg_format(const reference::Profile& profile,
+                                              std::string_view program_name,
+                                              std::uint64_t named_block);
 
 }  // namespace gonogo::cli

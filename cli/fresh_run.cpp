@@ -9,7 +9,6 @@
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/trial_options.hpp"
 #include "cli/version.hpp"
 #include "fuzz/hunt/fresh_programs.hpp"
 #include "fuzz/hunt/known_signatures.hpp"
@@ -50,10 +49,7 @@ Wanted wanted_programs(const CertifyOptions& options, const JudgedCorpus& judged
 
 hunt::TrialOptions trial_of(const oracle::CampaignOptions& campaign) {
   hunt::TrialOptions trial;
-  trial.tolerance = campaign.grants.tolerance;
-  trial.chord = campaign.grants.chord;
-  trial.feed_resolution = campaign.grants.feed_resolution;
-  trial.strict = campaign.grants.strict;
+  trial.grants = campaign.grants;
   trial.alarm_map = campaign.alarm_map;
   trial.run_limit = campaign.limits.run * kTimesTheLimit;
   return trial;

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "cli/hunt_causes.hpp"
 #include "cli/output.hpp"
@@ -22,36 +21,6 @@ std::string clock_text(double seconds) {
 }
 
 }  // namespace
-
-std::vector<std::string> board_lines(const std::string& title, const HuntStanding& standing,
-                                     std::size_t columns) {
-  const hunt::HuntCount& count = standing.count;
-  const auto percent = [&](std::size_t part) {
-    return part * 100 / std::max<std::size_t>(1, count.programs);
-  };
-  const double a_second = static_cast<double>(count.programs) / std::max(standing.seconds, 0.001);
-  std::vector<std::string> lines = {
-      "gonogo hunt: " + title,
-      fmt::format("  run time  {}{}", clock_text(standing.seconds),
-                  standing.seconds_left
-                      ? fmt::format(", about {} left", clock_text(*standing.seconds_left))
-                      : std::string()),
-      fmt::format("  programs  {}, {:.0f} a second; {} rounds done by {} jobs", count.programs,
-                  a_second, standing.rounds, standing.jobs),
-      fmt::format("  judged    {} %, with motion {} %; skipped {} %, undecided {} %, too long {} %",
-                  percent(count.judged), percent(count.moved), percent(count.skipped),
-                  percent(count.gaps), percent(count.too_long)),
-      fmt::format("  reached   {} features of the reference in {} programs", standing.features,
-                  standing.in_programs),
-      standing.findings == 0
-          ? std::string("  findings  none is new")
-          : fmt::format("  findings  {} new, the last {} ago; {} programs are NO-GO",
-                        standing.findings, clock_text(standing.since_finding), count.no_go)};
-  for (std::string& line : lines) {
-    if (line.size() > columns) line.resize(columns);
-  }
-  return lines;
-}
 
 HuntBoard::HuntBoard(const HuntWords& words, const HuntEnd& end)
     : words_(words),
@@ -117,34 +86,52 @@ void HuntBoard::fail(const char* what) {
   complain("gonogo: {}\n", what);
 }
 
-HuntStanding HuntBoard::standing() const {
-  HuntStanding now;
-  now.seconds = std::chrono::duration<double>(Clock::now() - end_.begin).count();
-  const bool has_end = end_.programs != 0 || end_.time.count() != 0;
-  if (has_end) now.seconds_left = end_.seconds_left(programs_);
-  now.rounds = rounds_;
-  now.jobs = jobs_.size();
-  now.findings = findings_;
-  now.since_finding = std::chrono::duration<double>(Clock::now() - found_).count();
+std::vector<std::string> HuntBoard::lines(std::size_t columns) const {
+  using Seconds = std::chrono::duration<double>;
+  const double seconds = Seconds(Clock::now() - end_.begin).count();
+  hunt::HuntCount count;
+  const Job* widest = &jobs_.front();  // that has most features of the reference in its round
   for (const Job& job : jobs_) {
-    now.count += job.before;
-    now.count += job.round;
-    if (job.features <= now.features) continue;
-    now.features = job.features;
-    now.in_programs = job.in_programs;
+    count += job.before;
+    count += job.round;
+    if (job.features > widest->features) widest = &job;
   }
-  return now;
+  const auto percent = [&](std::size_t part) {
+    return part * 100 / std::max<std::size_t>(1, count.programs);
+  };
+  const double a_second = static_cast<double>(count.programs) / std::max(seconds, 0.001);
+  const bool has_end = end_.programs != 0 || end_.time.count() != 0;
+  const std::size_t findings = findings_;
+  std::vector<std::string> lines = {
+      fmt::format("gonogo hunt: {}, {} in {}", oracle::visible(words_.trial.subject),
+                  words_.dialect, oracle::visible(words_.campaign)),
+      fmt::format("  run time  {}{}", clock_text(seconds),
+                  has_end ? fmt::format(", about {} left", clock_text(end_.seconds_left(programs_)))
+                          : std::string()),
+      fmt::format("  programs  {}, {:.0f} a second; {} rounds done by {} jobs", count.programs,
+                  a_second, rounds_, jobs_.size()),
+      fmt::format("  judged    {} %, with motion {} %; skipped {} %, undecided {} %, too long {} %",
+                  percent(count.judged), percent(count.moved), percent(count.skipped),
+                  percent(count.gaps), percent(count.too_long)),
+      fmt::format("  reached   {} features of the reference in {} programs", widest->features,
+                  widest->in_programs),
+      findings == 0
+          ? std::string("  findings  none is new")
+          : fmt::format("  findings  {} new, the last {} ago; {} programs are NO-GO", findings,
+                        clock_text(Seconds(Clock::now() - found_).count()), count.no_go)};
+  for (std::string& line : lines) {
+    if (line.size() > columns) line.resize(columns);
+  }
+  return lines;
 }
 
 void HuntBoard::show() {
   shown_ = Clock::now();
-  const std::string title = fmt::format("{}, {} in {}", oracle::visible(words_.trial.subject),
-                                        words_.dialect, oracle::visible(words_.campaign));
-  const auto lines = board_lines(title, standing(), columns_of_terminal(STDERR_FILENO) - 1);
+  const auto shown = lines(columns_of_terminal(STDERR_FILENO) - 1);
   std::string text = lines_ == 0 ? std::string() : fmt::format("\033[{}A", lines_);
-  for (const std::string& line : lines) text += line + "\033[K\n";
+  for (const std::string& line : shown) text += line + "\033[K\n";
   draw("{}", text);
-  lines_ = lines.size();
+  lines_ = shown.size();
 }
 
 // The lines go, and what is printed next stands in their place.

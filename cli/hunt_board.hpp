@@ -7,7 +7,6 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,23 +14,6 @@
 #include "cli/hunt_words.hpp"
 
 namespace gonogo::cli {
-
-// How a campaign goes: what this run of the program has done of it.
-struct HuntStanding {
-  double seconds = 0;
-  std::optional<double> seconds_left;  // nothing: no limit of time
-  hunt::HuntCount count;
-  std::size_t rounds = 0;
-  std::size_t jobs = 1;
-  std::size_t findings = 0;
-  double since_finding = 0;     // seconds; of no meaning without findings
-  std::size_t features = 0;     // of the reference, of the job that has most in its round
-  std::size_t in_programs = 0;  // that it keeps for them
-};
-
-// The lines, none longer than `columns`.
-std::vector<std::string> board_lines(const std::string& title, const HuntStanding& standing,
-                                     std::size_t columns);
 
 class HuntBoard {
  public:
@@ -63,7 +45,8 @@ class HuntBoard {
     std::size_t in_programs = 0;
   };
 
-  HuntStanding standing() const;
+  // How the hunt goes; none is longer than `columns`.
+  std::vector<std::string> lines(std::size_t columns) const;
   void show();
   void clear();
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <iterator>
 #include <set>
@@ -13,7 +12,7 @@
 
 #include "cli/causes.hpp"
 #include "cli/hunt_words.hpp"
-#include "cli/mapped_subject.hpp"
+#include "cli/subjects.hpp"
 #include "fuzz/hunt/campaign_page.hpp"
 #include "fuzz/hunt/finding_files.hpp"
 #include "fuzz/identify/shared_causes.hpp"
@@ -43,8 +42,7 @@ std::unique_ptr<oracle::Subject> subject_to_ask(const TrialWords& words) {
 }
 
 identify::ExplanationOptions explanation_options(const TrialWords& words) {
-  const hunt::TrialOptions options = trial_options(words);
-  return {options.tolerance, options.chord, options.feed_resolution, kMostRecordsToExplain};
+  return {words.limits.grants(), kMostRecordsToExplain};
 }
 
 // The codes of a program, without the traverse and the feed that nearly all have.

@@ -8,15 +8,24 @@
 #include <cstdio>
 #include <limits>
 
-#include "cli/corpus_folder.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
-#include "cli/subject_files.hpp"
+#include "cli/subjects.hpp"
 #include "fuzz/hunt/known_signatures.hpp"
 #include "oracle/records/text.hpp"
 #include "publish/report/command.hpp"
 
 namespace gonogo::cli {
+namespace {
 
+volatile std::sig_atomic_t interrupted = 0;
+
+void interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+// "90", "90s", "10m", "2h". Throws UsageError.
 std::chrono::milliseconds time_of(const std::string& text) {
   long count = 0;
   char unit = 's';
@@ -28,6 +37,8 @@ std::chrono::milliseconds time_of(const std::string& text) {
   }
   return std::chrono::seconds(count * seconds);
 }
+
+}  // namespace
 
 std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(
     const std::vector<std::string>& choices) {
@@ -51,25 +62,21 @@ std::string tolerances_of(const LimitOptions& limits) {
 std::string command_of(const HuntWords& words) {
   std::string command = fmt::format("{} hunt --subject {}", oracle::report::program_word(),
                                     oracle::shell_quoted(words.trial.subject));
-  for (const std::string& beside : words.beside) {
-    command += " --beside " + oracle::shell_quoted(beside);
-  }
+  const auto add = [&command](std::string_view option, const std::string& value) {
+    if (!value.empty()) command += fmt::format(" {} {}", option, oracle::shell_quoted(value));
+  };
+  for (const std::string& beside : words.beside) add("--beside", beside);
   if (!words.dialect.empty()) command += " --dialect " + words.dialect;
   command += fmt::format(" --seed {}", words.seed);
   if (words.method != "reference") command += " --method " + words.method;
-  if (!words.profile.empty()) command += " --profile " + oracle::shell_quoted(words.profile);
-  for (const std::string& reading : words.readings) {
-    command += " --reading " + oracle::shell_quoted(reading);
-  }
-  const std::string& alarm_map = words.trial.alarm_map;
-  if (!alarm_map.empty()) command += " --alarm-map " + oracle::shell_quoted(alarm_map);
+  add("--profile", words.profile);
+  for (const std::string& reading : words.readings) add("--reading", reading);
+  add("--alarm-map", words.trial.alarm_map);
   command += tolerances_of(words.trial.limits);
   if (!words.settings.empty()) command += " --settings " + words.settings;
   if (words.everywhere) command += " --everywhere";
-  if (!words.known_failures.empty()) {
-    command += " --known-failures " + oracle::shell_quoted(words.known_failures);
-  }
-  if (!words.corpus.empty()) command += " --corpus " + oracle::shell_quoted(words.corpus);
+  add("--known-failures", words.known_failures);
+  add("--corpus", words.corpus);
   return command;
 }
 
@@ -94,17 +101,6 @@ std::string listed(const std::string& program) {
 std::string finding_line(std::string_view name, const std::string& value) {
   return fmt::format("  {:<11}{}\n", name, value.empty() ? "nothing" : value);
 }
-
-namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void interrupt(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
-}
-
-}  // namespace
 
 bool HuntEnd::is_broken_off() const {
   return interrupted != 0;

@@ -34,9 +34,6 @@ struct HuntWords {
   long round = 2'000;  // programs
 };
 
-// "90", "90s", "10m", "2h". Throws UsageError.
-std::chrono::milliseconds time_of(const std::string& text);
-
 // REQUIRES: load_profile has taken them.
 std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(
     const std::vector<std::string>& choices);

@@ -9,7 +9,7 @@
 
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "cli/subject_files.hpp"
+#include "cli/subjects.hpp"
 #include "oracle/records/output_file.hpp"
 #include "oracle/records/text.hpp"
 
@@ -62,7 +62,6 @@ std::string KnownFailuresFile::write(const oracle::Corpus& corpus,
     ids.push_back(test.id);
     const auto finding = wanted.find(test.id);
     if (finding != wanted.end()) programs[finding->second] = test.program;
-    return true;
   });
   const oracle::KnownFailuresUpdate::Result result = update_.result(ids, programs);
   try {

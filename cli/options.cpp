@@ -4,19 +4,39 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
+#include "campaign/selection.hpp"
 #include "reference/dialect.hpp"
+#include "subjects/sandbox.hpp"
 
 namespace gonogo::cli {
+namespace {
+
+constexpr std::string_view kMayChange = ":rw";
+
+bool starts_processes(const std::string& subject) {
+  return subject.starts_with("pipe:") || subject.starts_with("oneshot:") ||
+         subject.starts_with("lib:");
+}
+
+void add_bound(oracle::Sandbox& sandbox, std::string path) {
+  const bool may_change = path.ends_with(kMayChange);
+  if (may_change) path.resize(path.size() - kMayChange.size());
+  if (!std::filesystem::exists(path)) {
+    throw UsageError(fmt::format("--bind {}: there is no such file or folder.", path));
+  }
+  (may_change ? sandbox.changed : sandbox.bound).push_back(path);
+}
+
+}  // namespace
 
 Shard shard_option(const std::string& text) {
   Shard shard;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%u/%u%c", &shard.number, &shard.of, &rest) != 2 ||
-      shard.number < 1 || shard.number > shard.of) {
+  if (!oracle::read_shard(text, shard.number, shard.of)) {
     throw UsageError(fmt::format("--shard {} is not of the form i/n with 1 <= i <= n.", text));
   }
   return shard;
@@ -27,13 +47,6 @@ void add_profile_options(Command& command, ProfileOptions& options) {
                  "dialect of the program: " + reference::dialect_names());
   command.option("--profile", options.file, "machine profile (TOML, or JSON by its ending)");
   command.repeated_option("--reading", options.readings, "one reading as key=value");
-}
-
-void add_tolerance_options(Command& command, LimitOptions& options) {
-  command.option("--tolerance", options.tolerance, "tolerance an axis, mm, a decimal");
-  command.option("--chord", options.chord, "chord tolerance of arcs, mm, a decimal");
-  command.option("--feed-resolution", options.feed_resolution,
-                 "what feeds may be rounded to, mm/min or mm/rev, a decimal");
 }
 
 void add_strict_option(Command& command, LimitOptions& options) {
@@ -48,7 +61,10 @@ void add_run_options(Command& command, LimitOptions& options) {
   command.repeated_option(
       "--env", options.environment,
       "a variable of the environment that the subject is given as well: NAME, or NAME=VALUE");
-  add_tolerance_options(command, options);
+  command.option("--tolerance", options.tolerance, "tolerance an axis, mm, a decimal");
+  command.option("--chord", options.chord, "chord tolerance of arcs, mm, a decimal");
+  command.option("--feed-resolution", options.feed_resolution,
+                 "what feeds may be rounded to, mm/min or mm/rev, a decimal");
 }
 
 void add_subject_options(Command& command, LimitOptions& options) {
@@ -137,6 +153,48 @@ oracle::StatedMachine stated_machine(const ProfileOptions& options) {
   oracle::StatedMachine stated{std::nullopt, options.readings};
   if (!options.file.empty()) stated.profile = load_profile({options.dialect, options.file, {}});
   return stated;
+}
+
+void add_sandbox_options(Command& command, SandboxOptions& options, const std::string& by_default) {
+  options.wish = by_default;
+  command.option("--sandbox", options.wish,
+                 fmt::format("run the subject in bubblewrap: auto (where it can be had), off, "
+                             "required ({})",
+                             by_default));
+  command.repeated_option("--bind", options.bound,
+                          "a file or folder that the subject sees in its sandbox as well; "
+                          "PATH:rw for one that it may change");
+}
+
+oracle::Limits sandboxed(oracle::Limits limits, const SandboxOptions& options,
+                         const std::string& subject, const std::vector<std::string>& hidden) {
+  if (options.wish != "auto" && options.wish != "off" && options.wish != "required") {
+    throw UsageError(
+        fmt::format("--sandbox takes auto, off or required, not \"{}\".", options.wish));
+  }
+  if (options.wish == "off" || !starts_processes(subject)) return limits;
+  static const oracle::SandboxSearch found = oracle::find_sandbox();
+  if (found.program.empty() && options.wish == "required") {
+    throw UsageError(fmt::format(
+        "--sandbox required: {}. Install it (Debian's package bubblewrap) and allow user "
+        "namespaces, or write --sandbox off.",
+        found.why_not));
+  }
+  limits.sandbox.program = found.program;
+  for (const std::string& folder : hidden) {
+    if (!folder.empty()) limits.sandbox.hidden.push_back(folder);
+  }
+  for (const std::string& path : options.bound) add_bound(limits.sandbox, path);
+  // A build that is measured writes there what ran.
+  if (const char* measured = std::getenv("LLVM_PROFILE_FILE")) {
+    limits.sandbox.changed.push_back(std::filesystem::absolute(measured).parent_path().string());
+  }
+  return limits;
+}
+
+std::string sandbox_name(const oracle::Limits& limits, const std::string& subject) {
+  if (!starts_processes(subject)) return {};
+  return limits.sandbox.is_on() ? "bubblewrap" : "none";
 }
 
 }  // namespace gonogo::cli

@@ -51,8 +51,6 @@ struct LimitOptions {
 
 // What --profile and --reading say of the machine of every program.
 oracle::StatedMachine stated_machine(const ProfileOptions& options);
-// --tolerance, --chord, --feed-resolution
-void add_tolerance_options(Command& command, LimitOptions& options);
 // --strict
 void add_strict_option(Command& command, LimitOptions& options);
 // --tolerance, --chord, --feed-resolution, and of a subject that runs --timeout, --memory, --env
@@ -61,6 +59,18 @@ void add_run_options(Command& command, LimitOptions& options);
 void add_subject_options(Command& command, LimitOptions& options);
 // Throws UsageError where one of the latter is given and none of the subjects is captured output.
 void check_capture_options(const LimitOptions& options, const std::vector<std::string>& subjects);
+
+// Adds --sandbox auto|off|required and --bind PATH[:rw] to a command. `by_default` holds where
+// --sandbox is not given.
+void add_sandbox_options(Command& command, SandboxOptions& options, const std::string& by_default);
+
+// The limits with the sandbox for a subject of this kind; `hidden` are folders that it does not
+// see. Throws UsageError when a sandbox is required and cannot be had.
+oracle::Limits sandboxed(oracle::Limits limits, const SandboxOptions& options,
+                         const std::string& subject, const std::vector<std::string>& hidden);
+
+// "bubblewrap", "none"; empty for a subject that starts no process.
+std::string sandbox_name(const oracle::Limits& limits, const std::string& subject);
 
 // What is not below zero, as a decimal: "a feed in mm/min". Throws UsageError.
 std::optional<reference::Number> decimal_option(const std::string& text, const char* option,

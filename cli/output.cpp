@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "cli/colour.hpp"
 #include "cli/terminal.hpp"
 
 namespace gonogo::cli {

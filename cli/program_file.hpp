@@ -59,20 +59,6 @@ class ProgramFile {
   std::unique_ptr<grammar::ByteSource> bytes_;
 };
 
-// A file that is read several times over, in no more memory than a piece of it takes.
-class StoredFile {
- public:
-  explicit StoredFile(const std::string& path, const char* kind = kNcProgram) : file_(path, kind) {
-    file_.keep();
-  }
-  void add_called_files(const std::string& dialect) { file_.add_called_files(dialect); }
-  // For grammar::FileSource.
-  int descriptor() const { return file_.descriptor(); }
-
- private:
-  ProgramFile file_;
-};
-
 inline constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 // All of `bytes`. Throws UsageError, with the name, where there are more than `limit`.
 std::string read_all(grammar::ByteSource& bytes, const std::string& name,

@@ -2,10 +2,8 @@
 #include "cli/progress_line.hpp"
 #include "cli/output.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <utility>
 
 namespace gonogo::cli {
@@ -24,8 +22,8 @@ void ProgressLine::show(std::size_t done, std::size_t all, std::size_t no_go) {
   shown_ = now;
   const std::chrono::duration<double> spent = now - start_;
   const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
-  draw("\r\033[K{}: {} of {} cases, {} NO-GO, about {:.0f} s left",
-       oracle::visible(subject_), done, all, no_go, left);
+  draw("\r\033[K{}: {} of {} cases, {} NO-GO, about {:.0f} s left", oracle::visible(subject_), done,
+       all, no_go, left);
 }
 
 }  // namespace gonogo::cli

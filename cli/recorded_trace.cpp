@@ -71,12 +71,12 @@ TraceFeatures RecordedTrace::likely_features() const {
   return features;
 }
 
-TraceSummary RecordedTrace::read(const std::function<bool(std::string_view)>& knows,
-                                 const std::function<void(const reference::Record&)>& take) {
+TraceSummary RecordedTrace::read(const std::function<void(const reference::Record&)>& take,
+                                 const std::function<bool(std::string_view)>& knows) {
   TraceSummary summary;
   records_ = 0;
   const auto count_known = [&](std::string_view line) {
-    if (!knows(line)) return false;
+    if (!knows || !knows(line)) return false;
     ++records_;
     summary.features.blocks = true;
     return true;

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
 #include "campaign/results_lock.hpp"
-#include "cli/arguments.hpp"
-#include "cli/command_guide.hpp"
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/run.hpp"
@@ -32,29 +27,13 @@ int run_command(int argc, char** argv) {
                    std::string("gonogo ") + kVersion);
   Command& program = line.program();
   arguments().assign(argv + 1, argv + argc);
-  add_expand(program);
-  add_explain(program);
-  add_judge(program);
-  add_certify(program);
-  add_spec(program);
-  add_report(program);
-  add_selftest(program);
-  add_faults(program);
-  add_corpus(program);
-  add_misbehave(program);
-  add_merge(program);
-  add_compare(program);
-  add_site(program);
-  add_verify(program);
-  add_export(program);
-  add_host(program);
-  add_hunt(program);
-  add_fuzz(program);
-  add_ci(program);
-  add_reduce(program);
-  add_identify(program);
-  add_generate(program);
-  add_signs(program);
+  for (void (*const add)(Command&) :
+       {add_expand,   add_explain, add_judge,    add_certify,   add_spec,  add_report,
+        add_selftest, add_faults,  add_corpus,   add_misbehave, add_merge, add_compare,
+        add_site,     add_verify,  add_export,   add_host,      add_hunt,  add_fuzz,
+        add_ci,       add_reduce,  add_identify, add_generate,  add_signs}) {
+    add(program);
+  }
   add_completion(line);
   add_man(line);
   for (const CommandGroup& group : command_groups()) program.group(group);

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -14,41 +13,17 @@
 #include "campaign/selection.hpp"
 #include "cli/fresh_run.hpp"
 #include "cli/options.hpp"
-#include "cli/program_file.hpp"
 #include "cli/run_limits.hpp"
-#include "cli/sandbox_options.hpp"
-#include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "publish/evidence/statement.hpp"
 #include "publish/report/json_value.hpp"
+#include "subjects/private_folder.hpp"
 
 namespace gonogo::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-// A folder that is gone in the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "gonogo-verify-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw UsageError(fmt::format("{} cannot be made.", name));
-    }
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 void read_subject_files(const fs::path& folder, oracle::CampaignOptions& campaign) {
   if (const fs::path path = folder / oracle::evidence::kWaiversFile; fs::exists(path)) {
@@ -106,7 +81,7 @@ std::optional<std::vector<FreshShare>> fresh_shares(const Json& header,
 // are so many does not.
 std::optional<oracle::evidence::Check> same_fresh_programs(const std::string& certified,
                                                            const JudgedCorpus& judged,
-                                                           const fs::path& scratch) {
+                                                           const std::string& scratch) {
   using oracle::evidence::Check;
   oracle::ResultsReader reader(certified);
   std::vector<std::string> told;
@@ -128,7 +103,7 @@ std::optional<oracle::evidence::Check> same_fresh_programs(const std::string& ce
     campaign.shard = share.shard;
     const auto id =
         fresh_departure({judged.corpus, campaign, judged.maker, judged.subject, judged.took},
-                        share.counts, scratch.string());
+                        share.counts, scratch);
     if (id) departures.push_back(*id);
   }
   if (departures.size() > told.size()) {
@@ -156,8 +131,8 @@ std::vector<oracle::evidence::Check> run_again(const std::string& certificate,
                               {corpus_path, certificate});
   const oracle::SubjectMaker maker = subject_maker(subject, campaign.limits);
   const oracle::Corpus corpus(corpus_path);
-  const ScratchFolder scratch;
-  const std::string path = (scratch.path() / oracle::evidence::kResultsFile).string();
+  const oracle::PrivateFolder scratch;
+  const std::string path = (fs::path(scratch.path()) / oracle::evidence::kResultsFile).string();
   oracle::ResultsWriter results(path, header.dump());
   const oracle::CampaignEnd end = oracle::run_campaign(
       corpus, campaign, maker, [&](const oracle::CaseResult& result) { results.add(result); },
@@ -167,8 +142,7 @@ std::vector<oracle::evidence::Check> run_again(const std::string& certificate,
   ending.stale = end.stale;
   ending.is_shard = campaign.shards > 1;
   if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
-  oracle::ResultsFooter footer;
-  results.close(ending, footer);
+  results.close(ending);
   std::vector<oracle::evidence::Check> checks = oracle::evidence::same_cases(certified, path);
   const JudgedCorpus judged{corpus, campaign, maker, subject, {}};
   if (auto check = same_fresh_programs(certified, judged, scratch.path())) {

@@ -15,22 +15,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 using oracle::ResultsReader;
 
-long limit_of(const Json& header, std::string_view option) {
-  const auto values = oracle::report::option_values(oracle::report::run_argv(header), option);
-  return values.empty() ? 0 : std::strtol(values.back().c_str(), nullptr, 10);
-}
-
 std::string last_of(const Json& argv, std::string_view option) {
   const auto values = oracle::report::option_values(argv, option);
   return values.empty() ? std::string() : values.back();
+}
+
+// 0: the default.
+long limit_of(const Json& argv, std::string_view option) {
+  return std::strtol(last_of(argv, option).c_str(), nullptr, 10);
 }
 
 [[noreturn]] void refuse(const std::string& journal, std::string_view option, long begun,
                          long now) {
   throw UsageError(
       fmt::format("{} is of a run with {} {}, this one has {}. Run the command that it was begun "
-                  "with, or leave "
-                  "--resume out to begin anew.",
+                  "with, or leave --resume out to begin anew.",
                   journal, option, begun, now));
 }
 
@@ -38,9 +37,9 @@ std::string last_of(const Json& argv, std::string_view option) {
 
 LimitOptions limits_of_run(const Json& header) {
   LimitOptions limits;
-  limits.timeout = limit_of(header, "--timeout");
-  limits.memory = limit_of(header, "--memory");
   const Json argv = oracle::report::run_argv(header);
+  limits.timeout = limit_of(argv, "--timeout");
+  limits.memory = limit_of(argv, "--memory");
   limits.environment = oracle::report::option_values(argv, "--env");
   limits.sandbox.bound = oracle::report::option_values(argv, "--bind");
   limits.columns = last_of(argv, "--columns");

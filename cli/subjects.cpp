@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <mutex>
+#include <utility>
+#include <variant>
 
 #include "capture/capture_subject.hpp"
 #include "cli/program_file.hpp"
@@ -19,14 +22,10 @@ oracle::SubjectMaker builtin_maker(const std::string& rest) {
   const std::string name = rest.substr(0, plus);
   const std::string fault = plus == std::string::npos ? std::string() : rest.substr(plus + 1);
   if (expanders::find(name, "") == nullptr) {
-    std::string known;
-    for (std::string_view builtin : expanders::names()) {
-      known += fmt::format("{}{}", known.empty() ? "" : ", ", builtin);
-    }
     const std::vector<std::string> names(expanders::names().begin(), expanders::names().end());
     throw UsageError(fmt::format("There is no built-in expander \"{}\". {}Write one of: {}.", name,
                                  reference::did_you_mean(reference::nearest_word(name, names)),
-                                 known));
+                                 fmt::join(names, ", ")));
   }
   if (plus != std::string::npos && fault.empty()) {
     throw UsageError(
@@ -71,6 +70,35 @@ oracle::SubjectMaker library_maker(const std::string& path, const oracle::Limits
   return [=] { return oracle::make_library_subject(path, limits, program); };
 }
 
+template <typename Result>
+Result checked(std::variant<Result, oracle::FileFault> read, const std::string& file) {
+  if (auto* fault = std::get_if<oracle::FileFault>(&read)) {
+    throw UsageError(fmt::format("{}: {}", file, fault->message));
+  }
+  return std::get<Result>(std::move(read));
+}
+
+class MappedSubject : public oracle::Subject {
+ public:
+  MappedSubject(std::unique_ptr<oracle::Subject> inner,
+                std::shared_ptr<const oracle::AlarmMap> alarms)
+      : inner_(std::move(inner)), alarms_(std::move(alarms)) {}
+
+  const oracle::SubjectInfo& info() const override { return inner_->info(); }
+  void configure(const reference::Profile& profile) override { inner_->configure(profile); }
+  oracle::RunEnd run(std::string_view id, std::string_view program,
+                     const oracle::RecordSink& sink) override {
+    oracle::RunEnd end = inner_->run(id, program, sink);
+    alarms_->name_class(end);
+    return end;
+  }
+  void renew() override { inner_->renew(); }
+
+ private:
+  std::unique_ptr<oracle::Subject> inner_;
+  std::shared_ptr<const oracle::AlarmMap> alarms_;
+};
+
 }  // namespace
 
 oracle::SubjectMaker subject_maker(const std::string& text, const oracle::Limits& limits) {
@@ -93,11 +121,49 @@ oracle::SubjectMaker subject_maker(const std::string& text, const oracle::Limits
                   text));
 }
 
+oracle::SubjectMaker beginning_with(std::unique_ptr<oracle::Subject> first,
+                                    oracle::SubjectMaker maker) {
+  struct Kept {
+    std::mutex mutex;
+    std::unique_ptr<oracle::Subject> subject;
+  };
+  auto kept = std::make_shared<Kept>();
+  kept->subject = std::move(first);
+  return [kept, make = std::move(maker)] {
+    {
+      const std::lock_guard lock(kept->mutex);
+      if (kept->subject) return std::move(kept->subject);
+    }
+    return make();
+  };
+}
+
 std::vector<std::string> declared_dialects(const oracle::SubjectMaker& maker) {
   const std::unique_ptr<oracle::Subject> subject = maker();
   std::vector<std::string> names;
   for (const auto& [dialect, features] : subject->info().dialects) names.push_back(dialect);
   return names;
+}
+
+std::vector<oracle::KnownFailure> load_known_failures(const std::string& file) {
+  return checked(oracle::known_failures_from_toml(read_file(file, "a file of known failures")),
+                 file);
+}
+
+std::vector<oracle::KnownCause> load_known_causes(const std::string& file) {
+  return checked(oracle::known_causes_from_toml(read_file(file, "a file of known failures")), file);
+}
+
+std::shared_ptr<const oracle::AlarmMap> load_alarm_map(const std::string& file) {
+  if (file.empty()) return nullptr;
+  return std::make_shared<const oracle::AlarmMap>(
+      checked(oracle::alarm_map_from_toml(read_file(file, "an alarm map")), file));
+}
+
+std::unique_ptr<oracle::Subject> with_alarm_map(std::unique_ptr<oracle::Subject> subject,
+                                                std::shared_ptr<const oracle::AlarmMap> alarms) {
+  if (!alarms) return subject;
+  return std::make_unique<MappedSubject>(std::move(subject), std::move(alarms));
 }
 
 }  // namespace gonogo::cli

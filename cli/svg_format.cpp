@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/svg_format.hpp"
+#include "cli/formats.hpp"
 
 #include <fmt/format.h>
 

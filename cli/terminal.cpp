@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/terminal.hpp"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <vector>
 
 namespace gonogo::cli {
@@ -101,6 +104,45 @@ std::string wrapped(std::string_view text, std::size_t columns) {
     begin = end + 1;
   }
   return out;
+}
+
+namespace {
+
+// In the order of Tone.
+constexpr std::array<std::string_view, 4> kCodes = {"1;32", "1;31", "1;33", "1"};
+
+std::string begin_of_tone(Tone tone) {
+  return fmt::format("\x1b[{}m", kCodes[static_cast<std::size_t>(tone)]);
+}
+
+}  // namespace
+
+// https://no-color.org: any value that is not empty.
+bool wants_colour(int descriptor) {
+  const char* refused = std::getenv("NO_COLOR");
+  if (refused != nullptr && *refused != '\0') return false;
+  const char* terminal = std::getenv("TERM");
+  if (terminal == nullptr || std::string_view(terminal) == "dumb") return false;
+  return ::isatty(descriptor) == 1;
+}
+
+std::string in_tone(std::string_view text, Tone tone, bool colour) {
+  if (!colour) return std::string(text);
+  return fmt::format("{}{}\x1b[0m", begin_of_tone(tone), text);
+}
+
+std::size_t length_of_tone(std::string_view text) {
+  constexpr std::string_view kEnd = "\x1b[0m";
+  for (const Tone tone : {Tone::good, Tone::bad, Tone::unsure, Tone::strong}) {
+    const std::string begin = begin_of_tone(tone);
+    if (text.starts_with(begin)) return begin.size();
+  }
+  return text.starts_with(kEnd) ? kEnd.size() : 0;
+}
+
+Tone tone_of(std::string_view decision) {
+  if (decision.starts_with("GO")) return Tone::good;
+  return decision.starts_with("NO-GO") ? Tone::bad : Tone::unsure;
 }
 
 }  // namespace gonogo::cli

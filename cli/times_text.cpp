@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "grammar/file_source.hpp"
+#include "oracle/judge/cycle_time.hpp"
 #include "oracle/judge/grade.hpp"
-#include "oracle/judge/time_rows.hpp"
 #include "oracle/records/rounding_census.hpp"
 #include "reference/expander.hpp"
 
@@ -19,7 +19,7 @@ using reference::Number;
 
 // Nothing: the program gives positions other names, in which no record says how far it goes.
 std::optional<CycleTime> time_of_reference(const reference::Profile& profile,
-                                           const StoredFile& program) {
+                                           const ProgramFile& program) {
   grammar::FileSource bytes(program.descriptor());
   grammar::LineSource lines(bytes);
   reference::Expander expander(profile, lines, reference::OpenPaths::shown);
@@ -33,8 +33,7 @@ std::optional<CycleTime> time_of_reference(const reference::Profile& profile,
 
 CycleTime time_of_trace(const reference::Profile& profile, RecordedTrace& trace) {
   CycleTime time(profile.initial.at);
-  trace.read([](std::string_view) { return false; },
-             [&](const reference::Record& record) { time.take(record); });
+  trace.read([&](const reference::Record& record) { time.take(record); });
   return time;
 }
 
@@ -46,7 +45,7 @@ std::string shown(const Number& number) {
 
 }  // namespace
 
-std::string times_text(const reference::Profile& profile, const StoredFile& program,
+std::string times_text(const reference::Profile& profile, const ProgramFile& program,
                        RecordedTrace& trace) {
   const std::optional<CycleTime> want = time_of_reference(profile, program);
   if (!want) return "times: none, for the program gives positions other names.\n";
@@ -71,7 +70,7 @@ namespace {
 
 // The motions of the reference; nothing: a part of the path is open, or more than can be shown.
 std::optional<std::vector<reference::Record>> motions_of_reference(
-    const reference::Profile& profile, const StoredFile& program) {
+    const reference::Profile& profile, const ProgramFile& program) {
   constexpr std::size_t kMost = 1'000'000;
   grammar::FileSource bytes(program.descriptor());
   grammar::LineSource lines(bytes);
@@ -101,19 +100,18 @@ void take(oracle::RoundingCensus& census, const reference::Record& want,
 
 }  // namespace
 
-std::string rounding_text(const reference::Profile& profile, const StoredFile& program,
+std::string rounding_text(const reference::Profile& profile, const ProgramFile& program,
                           RecordedTrace& trace, const oracle::Tolerances& tolerances) {
   const auto want = motions_of_reference(profile, program);
   if (!want) return "coordinates: not counted, because a part of the path is open.\n";
   oracle::RoundingCensus census;
   std::size_t count = 0;
   bool alike = true;
-  trace.read([](std::string_view) { return false; },
-             [&](const reference::Record& record) {
-               if (!reference::is_motion(record.kind) || !alike) return;
-               alike = count < want->size() && (*want)[count].kind == record.kind;
-               if (alike) take(census, (*want)[count++], record, tolerances);
-             });
+  trace.read([&](const reference::Record& record) {
+    if (!reference::is_motion(record.kind) || !alike) return;
+    alike = count < want->size() && (*want)[count].kind == record.kind;
+    if (alike) take(census, (*want)[count++], record, tolerances);
+  });
   if (!alike || count != want->size()) {
     return "coordinates: not counted, because the motions are not those of the reference one by "
            "one.\n";

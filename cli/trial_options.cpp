@@ -7,8 +7,6 @@
 #include <filesystem>
 
 #include "cli/program_file.hpp"
-#include "cli/sandbox_options.hpp"
-#include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
@@ -17,10 +15,14 @@
 
 namespace gonogo::cli {
 
-void add_trial_options(Command& command, TrialWords& words) {
-  command.needed_option("--subject", words.subject,
-                        "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND or lib:PATH.so");
+void add_tried_subject(Command& command, TrialWords& words) {
+  command.needed("--subject", words.subject,
+                 "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND or lib:PATH.so");
   command.option("--alarm-map", words.alarm_map, "TOML file of what the subject's own alarms mean");
+}
+
+void add_trial_options(Command& command, TrialWords& words) {
+  add_tried_subject(command, words);
   command.option("--out", words.out, "folder for findings as vectors and files");
   add_run_options(command, words.limits);
   add_sandbox_options(command, words.limits.sandbox, "off");
@@ -56,9 +58,7 @@ hunt::SubjectMaker trial_subject(const TrialWords& words) {
 
 hunt::TrialOptions trial_options(const TrialWords& words) {
   hunt::TrialOptions options;
-  options.tolerance = length_option(words.limits.tolerance, "--tolerance");
-  options.chord = length_option(words.limits.chord, "--chord");
-  options.feed_resolution = feed_option(words.limits.feed_resolution, "--feed-resolution");
+  options.grants = words.limits.grants();
   options.run_limit = words.limits.limits().run;
   options.alarm_map = load_alarm_map(words.alarm_map);
   return options;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cli/options.hpp"
 #include "fuzz/hunt/hunt.hpp"
@@ -17,7 +16,9 @@ struct TrialWords {
   std::string out;
   LimitOptions limits;
 };
-// --subject, --alarm-map, --out, and the limits of a run
+// --subject and --alarm-map
+void add_tried_subject(Command& command, TrialWords& words);
+// Those, --out, and the limits of a run
 void add_trial_options(Command& command, TrialWords& words);
 
 // Throws UsageError for what is no subject to be tried on, or no alarm map.

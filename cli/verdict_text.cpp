@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <span>
 
-#include "cli/colour.hpp"
+#include "cli/terminal.hpp"
 #include "oracle/records/cycle_table.hpp"
 #include "oracle/records/finding_text.hpp"
 #include "oracle/records/followed_readings.hpp"
@@ -22,18 +23,11 @@ using oracle::Verdict;
 namespace {
 
 std::string_view word(oracle::VerdictKind kind) {
+  // In the order of Decision.
+  constexpr std::array<std::string_view, oracle::kDecisions> kWords = {"GO", "NO-GO", "UNDECIDED",
+                                                                       "not judged"};
   if (kind == oracle::VerdictKind::advice) return "ADVICE";
-  switch (decision(kind)) {
-    case Decision::go:
-      return "GO";
-    case Decision::no_go:
-      return "NO-GO";
-    case oracle::Decision::neither:
-      return "not judged";
-    case Decision::undecided:
-      return "UNDECIDED";
-  }
-  return "";
+  return kWords[static_cast<std::size_t>(decision(kind))];
 }
 
 }  // namespace
@@ -76,18 +70,14 @@ std::string answer_text(const relation::Answer& answer) {
 
 ExitCode exit_code_of(const oracle::Verdict& verdict) {
   if (verdict.kind == oracle::VerdictKind::advice) return kGo;  // J-RUN-04
-  switch (decision(verdict.kind)) {
-    case oracle::Decision::go:
-      return kGo;
-    case oracle::Decision::no_go:
-      return kNoGo;
-    default:
-      return kUndecided;
-  }
+  if (decision(verdict.kind) == Decision::go) return kGo;
+  return decision(verdict.kind) == Decision::no_go ? kNoGo : kUndecided;
 }
 
 namespace {
 
+// Findings that are shown with their evidence; of the others a line each.
+constexpr std::size_t kShownFindings = 10;
 constexpr std::size_t kShownIds = 3;
 constexpr std::size_t kShownCycles = 20;
 constexpr std::size_t kShownReasons = 5;    // for which a subject skips cases
@@ -110,10 +100,6 @@ std::string advices_text(const oracle::RunScope& scope) {
   }
   return text.empty() ? text : text + "\n";
 }
-
-}  // namespace
-
-namespace {
 
 using Numbers = std::map<std::string, std::size_t, oracle::NaturalOrder>;
 
@@ -234,19 +220,20 @@ std::string not_claimed_text(const oracle::RunScope& scope) {
 }  // namespace
 
 std::string summary_text(const CampaignSummary& summary, const std::string& subject, bool colour) {
+  const oracle::RunAnswer& answer = summary.footer.answer;
   std::string text = findings_text(summary, colour);
-  text += advices_text(summary.answer.scope);
-  text += fmt::format("{}: {} cases\n", subject, summary.answer.cases);
+  text += advices_text(answer.scope);
+  text += fmt::format("{}: {} cases\n", subject, answer.cases);
   for (std::string_view verdict : oracle::verdict_names()) {
-    auto total = summary.footer.totals.find(std::string(verdict));
-    if (total != summary.footer.totals.end()) {
+    auto total = answer.totals.find(std::string(verdict));
+    if (total != answer.totals.end()) {
       text += fmt::format("  {:<20} {:>6}\n", verdict, total->second);
     }
   }
-  text += not_claimed_text(summary.answer.scope);
-  const std::string followed = oracle::followed_readings(summary.footer.assignments);
+  text += not_claimed_text(answer.scope);
+  const std::string followed = oracle::followed_readings(answer.assignments);
   if (!followed.empty()) text += fmt::format("  follows {}\n", followed);
-  for (const auto& [dialect, census] : summary.footer.coordinates) {
+  for (const auto& [dialect, census] : answer.coordinates) {
     text += fmt::format("  coordinates of {}: {}\n", dialect, census.text());
   }
   if (summary.run_again > 0) {
@@ -262,19 +249,19 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
     text += fmt::format("  An entry of the subject's files is stale: {}\n", oracle::visible(entry));
   }
   if (!summary.complete) text += "  The run is incomplete.\n";
-  if (!summary.answer.hardly_answered.empty()) {
+  if (!answer.hardly_answered.empty()) {
     text += fmt::format(
         "  Hardly any fresh program of {} was judged: that the cases of the corpus are GO does not "
         "show an interpreter. Declare the features that the subject has, or give --fresh 0.\n",
-        summary.answer.hardly_answered);
+        answer.hardly_answered);
   }
-  if (summary.answer.judged_nothing) {
+  if (answer.judged_nothing) {
     text += "  There is a dialect in which no case was judged.\n";
-  } else if (summary.answer.no_go == 0 && !summary.answer.scope.claims_every_dialect()) {
+  } else if (answer.no_go == 0 && !answer.scope.claims_every_dialect()) {
     text += "  There is a dialect of which no feature was judged for the most part.\n";
   }
-  text += in_tone(summary.answer.folded_head, tone_of(summary.answer.decision), colour) + "\n";
-  return text + oracle::cycle_table(summary.answer.scope).text(kShownCycles);
+  text += in_tone(answer.folded_head, tone_of(answer.decision), colour) + "\n";
+  return text + oracle::cycle_table(answer.scope).text(kShownCycles);
 }
 
 }  // namespace gonogo::cli

@@ -24,7 +24,6 @@ ExitCode exit_code_of(const oracle::Verdict& verdict);
 
 // What the terminal shows of a campaign.
 struct CampaignSummary {
-  oracle::RunAnswer answer;
   oracle::ResultsFooter footer;
   oracle::Findings findings;
   std::map<std::size_t, oracle::evidence::CaseRow> smallest;  // case of a finding, by its number
@@ -35,8 +34,6 @@ struct CampaignSummary {
   oracle::Findings::Order order = oracle::Findings::Order::gravity;
   bool complete = true;  // not stopped at the first NO-GO
 };
-// Findings that are shown with their evidence; of the others a line each.
-inline constexpr std::size_t kShownFindings = 10;
 // What was found, each kind once, totals, GO or NO-GO.
 std::string summary_text(const CampaignSummary& summary, const std::string& subject, bool colour);
 

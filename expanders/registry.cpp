@@ -6,8 +6,7 @@
 #include "expanders/common/subject_glue.hpp"
 #include "expanders/gsk/interpreter.hpp"
 #include "expanders/hnc/interpreter.hpp"
-#include "expanders/ngc/faults.hpp"
-#include "expanders/ngc/subject.hpp"
+#include "expanders/ngc/interpreter.hpp"
 #include "expanders/sinumerik/interpreter.hpp"
 
 namespace gonogo::expanders {
@@ -23,14 +22,18 @@ struct Maker {
 
 template <typename Interpreter>
 const gonogo_subject_v1& subject_of(std::size_t fault) {
-  return SubjectGlue<MakerOf<Interpreter>>::subject(static_cast<Fault>(fault));
+  return SubjectGlue<Interpreter>::subject(static_cast<Fault>(fault));
+}
+
+template <typename Interpreter>
+FaultCount count_of(std::size_t fault) {
+  return SubjectGlue<Interpreter>::count(static_cast<Fault>(fault));
 }
 
 // These tell where the line of a fault ran, not whether it answered wrongly.
 template <typename Interpreter>
-FaultCount count_of(std::size_t fault) {
-  return {SubjectGlue<MakerOf<Interpreter>>::count(static_cast<Fault>(fault)).reached,
-          std::nullopt};
+FaultCount reached_of(std::size_t fault) {
+  return {count_of<Interpreter>(fault).reached, std::nullopt};
 }
 
 template <const auto& kFaults>
@@ -39,15 +42,11 @@ std::span<const FaultDescription> listed() {
 }
 
 constexpr std::array<Maker, 4> kMakers = {{
-    {"gsk", &listed<gsk::kFaults>, &subject_of<gsk::Interpreter>, &count_of<gsk::Interpreter>},
-    {"hnc", &listed<hnc::kFaults>, &subject_of<hnc::Interpreter>, &count_of<hnc::Interpreter>},
-    {"ngc", &listed<ngc::kFaultTable>,
-     [](std::size_t fault) -> const gonogo_subject_v1& {
-       return ngc::subject(static_cast<ngc::Fault>(fault));
-     },
-     [](std::size_t fault) { return ngc::count(static_cast<ngc::Fault>(fault)); }},
+    {"gsk", &listed<gsk::kFaults>, &subject_of<gsk::Interpreter>, &reached_of<gsk::Interpreter>},
+    {"hnc", &listed<hnc::kFaults>, &subject_of<hnc::Interpreter>, &reached_of<hnc::Interpreter>},
+    {"ngc", &listed<ngc::kFaults>, &subject_of<ngc::Interpreter>, &count_of<ngc::Interpreter>},
     {"sinumerik", &listed<sinumerik::kFaults>, &subject_of<sinumerik::Interpreter>,
-     &count_of<sinumerik::Interpreter>},
+     &reached_of<sinumerik::Interpreter>},
 }};
 
 const Maker* maker_of(std::string_view name) {

@@ -5,8 +5,8 @@
 
 #include "expanders/registry.hpp"
 #include "oracle/differential/differential.hpp"
-#include "subjects/library_file.hpp"
 #include "reference/dialect.hpp"
+#include "subjects/library_file.hpp"
 
 namespace gonogo::fuzz {
 namespace {
@@ -49,7 +49,7 @@ std::unique_ptr<oracle::Subject> make_subject_here(const std::string& text,
                         plus == std::string::npos ? "" : spec.rest.substr(plus + 1));
   }
   if (spec.kind == "lib") {
-    return oracle::make_interface_subject(oracle::Library(spec.rest).subject(), stated);
+    return oracle::make_interface_subject(oracle::load_library(spec.rest), stated);
   }
   oracle::Limits limits;
   limits.stated = stated;

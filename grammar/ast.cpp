@@ -12,6 +12,7 @@ void Block::clear() {
   line_comment = {};
   words.clear();
   named.clear();
+  other_blank = {};
   terms.clear();
   names.clear();
   assignments.clear();

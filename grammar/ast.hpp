@@ -206,6 +206,7 @@ struct Block {
   Place line_comment;                      // of ';' and all behind it, in letter addresses
   std::vector<Word> words;
   std::vector<NamedWord> named;  // SINUMERIK, in place of `words`, in the order written
+  Place other_blank;             // SINUMERIK: the first '&' or unprinted character, a blank there
   std::vector<Term> terms;       // the values of `named` and of what RS274/NGC has
   // RS274/NGC.
   std::vector<std::string> names;       // of parameters, in `terms`; in small letters

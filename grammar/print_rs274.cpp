@@ -7,76 +7,28 @@
 
 #include "grammar/byte_set.hpp"
 #include "grammar/parser.hpp"
+#include "grammar/rs274_words.hpp"
 
 namespace gonogo::grammar {
 namespace {
 
-std::string_view operator_of(TermKind kind) {
-  switch (kind) {
-    case TermKind::add:
-      return "+";
-    case TermKind::subtract:
-      return "-";
-    case TermKind::multiply:
-      return "*";
-    case TermKind::divide:
-      return "/";
-    case TermKind::power:
-      return "**";
-    case TermKind::modulo:
-      return " MOD ";
-    case TermKind::equal:
-      return " EQ ";
-    case TermKind::not_equal:
-      return " NE ";
-    case TermKind::greater:
-      return " GT ";
-    case TermKind::not_less:
-      return " GE ";
-    case TermKind::less:
-      return " LT ";
-    case TermKind::not_greater:
-      return " LE ";
-    case TermKind::logic_and:
-      return " AND ";
-    case TermKind::logic_or:
-      return " OR ";
-    case TermKind::logic_xor:
-      return " XOR ";
-    default:
-      return {};
-  }
+// The word of the kind; empty: no table has it.
+template <typename... Tables>
+std::string word_of(TermKind kind, const Tables&... tables) {
+  std::string word;
+  const auto look = [&](const auto& table) {
+    for (const rs274::WordOfTerm& entry : table) {
+      if (entry.kind == kind) word = entry.word;
+    }
+  };
+  (look(tables), ...);
+  return word;
 }
 
-std::string_view function_of(TermKind kind) {
-  switch (kind) {
-    case TermKind::abs:
-      return "ABS";
-    case TermKind::acos:
-      return "ACOS";
-    case TermKind::asin:
-      return "ASIN";
-    case TermKind::cos:
-      return "COS";
-    case TermKind::exp:
-      return "EXP";
-    case TermKind::fix:
-      return "FIX";
-    case TermKind::fup:
-      return "FUP";
-    case TermKind::ln:
-      return "LN";
-    case TermKind::round:
-      return "ROUND";
-    case TermKind::sin:
-      return "SIN";
-    case TermKind::sqrt:
-      return "SQRT";
-    case TermKind::tan:
-      return "TAN";
-    default:
-      return {};
-  }
+std::string operator_of(TermKind kind) {
+  using namespace rs274;
+  std::string word = word_of(kind, kPowers, kProducts, kSums, kComparisons, kLogic);
+  return !word.empty() && kLetter.contains(word.front()) ? ' ' + word + ' ' : word;
 }
 
 constexpr std::string_view kControlWords[] = {"sub",    "endsub", "return",    "call",  "if",
@@ -107,8 +59,8 @@ void apply(const Block& block, const Term& term, std::vector<std::string>& stack
   } else if (term.kind == TermKind::negate || term.kind == TermKind::plus) {
     if (is_number(last)) last = in_brackets(std::move(last));
     stack.back() = (term.kind == TermKind::negate ? '-' : '+') + std::move(last);
-  } else if (const std::string_view function = function_of(term.kind); !function.empty()) {
-    stack.back() = std::string(function) + '[' + std::move(last) + ']';
+  } else if (std::string function = word_of(term.kind, rs274::kFunctionsOfOne); !function.empty()) {
+    stack.back() = std::move(function) + '[' + std::move(last) + ']';
   } else {
     stack.pop_back();
     std::string before = std::move(stack.back());

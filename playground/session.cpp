@@ -10,7 +10,6 @@
 
 #include "oracle/steps/different_assignments.hpp"
 #include "publish/manual/motion_text.hpp"
-#include "publish/report/limits.hpp"
 #include "publish/report/page_paths.hpp"
 #include "reference/dialect.hpp"
 #include "reference/outcome_text.hpp"

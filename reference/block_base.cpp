@@ -35,9 +35,13 @@ bool BlockBase::turns_alone(const Position& to) const {
   return to != state.position;
 }
 
-void BlockBase::not_covered(int code, char address, std::string message) {
-  out.not_covered = NotCovered{line, fmt::format("G{}", code), std::move(message),
+void BlockBase::not_covered(std::string code, char address, std::string message) {
+  out.not_covered = NotCovered{line, std::move(code), std::move(message),
                                places.place_of(address).value_or(grammar::Span{})};
+}
+
+void BlockBase::not_covered(int g_code, char address, std::string message) {
+  not_covered(fmt::format("G{}", g_code), address, std::move(message));
 }
 
 Record BlockBase::motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to) {
@@ -202,10 +206,7 @@ std::optional<Record> read_m_function(const grammar::Word& word, std::uint64_t l
     out.not_covered = m_function_outside(*number, "subprogram", word, line);
     return std::nullopt;
   }
-  Record record;
-  record.kind = RecordKind::m;
-  record.clause = clause;
-  record.block = line;
+  Record record = record_of(RecordKind::m, line, clause);
   record.m = static_cast<std::int32_t>(*number);
   return record;
 }

@@ -39,7 +39,8 @@ struct BlockBase {
   // Whether only rotary axes move.
   bool turns_alone(const Position& to) const;
   // The program ends here for the gauge: `address` has a value that is not read.
-  void not_covered(int code, char address, std::string message);
+  void not_covered(std::string code, char address, std::string message);
+  void not_covered(int g_code, char address, std::string message);
 
   // Motions from where the machine stands; they move it.
   void rapid(ClauseId clause, std::initializer_list<AxisValue> to);

@@ -24,8 +24,8 @@ constexpr auto kNgcOffsets = std::to_array<std::string_view>(
     {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"});
 constexpr auto kNgcParameters =
     std::to_array<std::string_view>({"5181", "5182", "5183", "5184", "5186"});
-constexpr auto kGskParameters =
-    std::to_array<std::string_view>({"3403.6", "3404.7", "3410", "5130", "5920", "5921"});
+constexpr auto kGskParameters = std::to_array<std::string_view>(
+    {"3403.4", "3403.5", "3403.6", "3404.6", "3404.7", "3410", "5130", "5920", "5921"});
 constexpr auto kSinumerikParameters =
     std::to_array<std::string_view>({"CIRCLE_ERROR_CONST", "CIRCLE_ERROR_FACTOR"});
 constexpr auto kHncParameters = std::to_array<std::string_view>({"3410"});
@@ -110,7 +110,8 @@ std::span<const Dialect> dialects() {
        {},
        kSinumerikParameters,
        mills,
-       "subprograms (L, P, calls), M functions above 99, the axes B E Q U V W, addresses with a "
+       "subprograms (L, P, calls), M functions above 99, LCYC75 with an edge above D1 or behind a "
+       "T that no M6 has followed though one has before, the axes B E Q U V W, addresses with a "
        "number, names of own subprograms and variables, "
        "R[ ] and $ variables, "
        "exponents (EX), strings as values and control words (IF, GOTO, DEF, ...)"},

@@ -18,10 +18,8 @@ NotCovered too_many_motions(std::uint64_t line) {
 }
 
 Record end_record(const Position& position, ClauseId clause) {
-  Record end;
-  end.kind = RecordKind::end;
+  Record end = record_of(RecordKind::end, 0, clause);
   end.axes = kEveryAxis;
-  end.clause = clause;
   end.to = position;
   return end;
 }

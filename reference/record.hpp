@@ -41,6 +41,15 @@ struct Record {
   Position via;                  // arc3: intermediate point
 };
 
+// One that has to be filled in.
+inline Record record_of(RecordKind kind, std::uint64_t block, ClauseId clause) {
+  Record record;
+  record.kind = kind;
+  record.block = block;
+  record.clause = clause;
+  return record;
+}
+
 constexpr bool is_motion(RecordKind kind) {
   return kind <= RecordKind::thread;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 
 #include "gonogo/subject.h"
 #include "subjects/make_subject.hpp"

@@ -14,9 +14,6 @@ namespace {
 using reference::Axis;
 using reference::Plane;
 
-constexpr std::array<std::string_view, 9> kKinds = {"",       "rapid", "feed", "arc", "arc3",
-                                                    "thread", "dwell", "m",    "end"};
-
 template <class Integer>
 void append_integer(Integer value, std::string& out) {
   std::array<char, 24> digits;
@@ -97,7 +94,7 @@ void append_arc(const gonogo_record_v1& source, std::string& out) {
 
 void append_json(const gonogo_record_v1& source, std::string& out) {
   out += "{\"k\":\"";
-  out += kKinds[source.kind];
+  out += reference::name(static_cast<reference::RecordKind>(source.kind - GONOGO_RAPID));
   out += '"';
   if (source.block != 0) {
     out += ",\"b\":";

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "oracle/records/record_fault.hpp"
@@ -67,10 +68,13 @@ bool given(const gonogo_number& number) {
 
 template <std::size_t N>
 bool any_given(const gonogo_number (&numbers)[N]) {
-  for (const gonogo_number& number : numbers) {
-    if (given(number)) return true;
-  }
-  return false;
+  return std::ranges::any_of(numbers, given);
+}
+
+template <class Source>
+void check_size(std::string_view what, const Source& source) {
+  if (source.struct_size >= sizeof source) return;
+  fail_record("{} has struct_size {}; version 1 has {}.", what, source.struct_size, sizeof source);
 }
 
 void refuse_unused(const gonogo_record_v1& source, RecordKind kind) {
@@ -103,10 +107,7 @@ void check_arc(const gonogo_record_v1& source) {
 
 // Everything but the values of the numbers.
 void check_form(const gonogo_record_v1& source) {
-  if (source.struct_size < sizeof source) {
-    fail_record("A record has struct_size {}; version 1 has {}.", source.struct_size,
-                sizeof source);
-  }
+  check_size("A record", source);
   if (source.kind < GONOGO_RAPID || source.kind > GONOGO_END) {
     fail_record("The record kind {} is unknown.", source.kind);
   }
@@ -170,10 +171,7 @@ Record record_of(const gonogo_record_v1& source) {
 }
 
 SubjectAlarm alarm_of(const gonogo_alarm_v1& source) {
-  if (source.struct_size < sizeof source) {
-    fail_record("An alarm has struct_size {}; version 1 has {}.", source.struct_size,
-                sizeof source);
-  }
+  check_size("An alarm", source);
   SubjectAlarm alarm;
   alarm.block = source.block;
   alarm.native = visible(view(source.native));

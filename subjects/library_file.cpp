@@ -58,13 +58,14 @@ std::string library_path(const std::string& path) {
   return absolute;
 }
 
-Library::Library(const std::string& path) : path_(library_path(path)) {
-  subject_ = entry_of(load(path_), path_)(GONOGO_SUBJECT_ABI);
-  if (subject_ != nullptr) return;
+const gonogo_subject_v1& load_library(const std::string& path) {
+  const std::string absolute = library_path(path);
+  const gonogo_subject_v1* subject = entry_of(load(absolute), absolute)(GONOGO_SUBJECT_ABI);
+  if (subject != nullptr) return *subject;
   throw SubjectUnusable(
       fmt::format("The library {} has no C interface of version {} or older. Build it with the "
                   "header gonogo/subject.h of this release, or use a newer gonogo.",
-                  path_, GONOGO_SUBJECT_ABI));
+                  absolute, GONOGO_SUBJECT_ABI));
 }
 
 }  // namespace gonogo::oracle

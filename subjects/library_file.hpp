@@ -9,21 +9,10 @@
 
 namespace gonogo::oracle {
 
-class Library {
- public:
-  // Loads the library into this process and asks it for the C interface. Throws SubjectUnusable
-  // with what to do. A library stays loaded for the life of the process: its description and its
-  // threads may outlive every handle.
-  explicit Library(const std::string& path);
-
-  const gonogo_subject_v1& subject() const { return *subject_; }
-  // The absolute path.
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-  const gonogo_subject_v1* subject_ = nullptr;
-};
+// Loads the library into this process and asks it for the C interface. Throws SubjectUnusable with
+// what to do. A library stays loaded for the life of the process: its description and its threads
+// may outlive every handle.
+const gonogo_subject_v1& load_library(const std::string& path);
 
 // The absolute path of a file that can be read. Throws SubjectUnusable with what to do.
 std::string library_path(const std::string& path);

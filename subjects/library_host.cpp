@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "oracle/records/base64.hpp"
 #include "oracle/records/json_document.hpp"
 #include "oracle/records/text.hpp"
 #include "subjects/interface_handle.hpp"

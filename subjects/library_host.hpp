@@ -33,6 +33,7 @@ class LibraryHost {
   const std::string& start_reply() const;
 
  private:
+  // The size of a parser of simdjson hangs on how a target is compiled: no other target sees it.
   class Impl;
   std::unique_ptr<Impl> impl_;
 };

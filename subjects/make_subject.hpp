@@ -4,7 +4,6 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -64,10 +63,6 @@ struct SubjectSpec {
   std::string rest;
 };
 std::optional<SubjectSpec> parse_subject_spec(std::string_view text);
-
-// Makes subjects of one kind; the program registers those that it links.
-using SubjectFactory =
-    std::function<std::unique_ptr<Subject>(const std::string& rest, const Limits& limits)>;
 
 std::unique_ptr<Subject> make_oneshot_subject(const std::string& command, const Limits& limits);
 std::unique_ptr<Subject> make_pipe_subject(const std::string& command, const Limits& limits);

@@ -153,12 +153,9 @@ std::optional<RunEnd> PipeSession::configure(const std::string& members) {
   if (!ok && std::get<object>(reply)["message"].get(message) != simdjson::SUCCESS) {
     message = "The subject does not say which key it refuses.";
   }
-  RunEnd refusal;
-  refusal.kind = RunEnd::Kind::refused;
-  refusal.message = excerpt(message, 1000);
   if (auto extra = unasked(false)) return extra;
   if (ok) return std::nullopt;
-  return refusal;
+  return RunEnd::of(RunEnd::Kind::refused, excerpt(message, 1000));
 }
 
 void PipeSession::send_run(std::string_view id, std::string_view program) {
@@ -250,31 +247,28 @@ std::optional<RunEnd> PipeSession::deliver(const PipeReply& reply, const RecordS
   if (!reply.records || reply.records->size() == 0) return std::nullopt;
   delivered_ = true;
   const auto begin = Process::Clock::now();
+  const auto take = [&](const simdjson::dom::element& item) -> std::optional<RunEnd> {
+    object source;
+    if (item.get(source) != simdjson::SUCCESS) {
+      return fail(RunEnd::Kind::protocol, "A record must be an object.");
+    }
+    auto line = read_trace_line(source);
+    if (auto* fault = std::get_if<TraceFault>(&line)) {
+      return fail(RunEnd::Kind::protocol, std::move(fault->message));
+    }
+    auto* record = std::get_if<reference::Record>(&line);
+    if (record == nullptr) {
+      return fail(RunEnd::Kind::protocol,
+                  "An alarm stands in the key \"alarm\" of the reply, not among the records.");
+    }
+    if (!sink(*record)) return RunEnd::of(RunEnd::Kind::stopped, "The run was stopped.");
+    return std::nullopt;
+  };
   std::optional<RunEnd> end;
   try {
     for (auto item : *reply.records) {
-      object source;
-      if (item.get(source) != simdjson::SUCCESS) {
-        end = fail(RunEnd::Kind::protocol, "A record must be an object.");
-        break;
-      }
-      auto line = read_trace_line(source);
-      if (auto* fault = std::get_if<TraceFault>(&line)) {
-        end = fail(RunEnd::Kind::protocol, std::move(fault->message));
-        break;
-      }
-      auto* record = std::get_if<reference::Record>(&line);
-      if (record == nullptr) {
-        end = fail(RunEnd::Kind::protocol,
-                   "An alarm stands in the key \"alarm\" of the reply, not among the records.");
-        break;
-      }
-      if (!sink(*record)) {
-        end.emplace();
-        end->kind = RunEnd::Kind::stopped;
-        end->message = "The run was stopped.";
-        break;
-      }
+      end = take(item);
+      if (end) break;
     }
   } catch (...) {  // the sink's own affair; the rest of the reply will not be read
     fail(RunEnd::Kind::stopped, {});

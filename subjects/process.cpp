@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,13 +12,12 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <iterator>
 #include <system_error>
-#include <vector>
 
 #include "oracle/records/text.hpp"
 #include "subjects/family_keeper.hpp"
 #include "subjects/process_family.hpp"
+#include "subjects/spawn_shell.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -30,7 +28,6 @@ constexpr int kLongestWaitMs = 25;  // between two looks at the process itself
 // the rest is at least so many times as long as the look was.
 constexpr auto kSizeEvery = std::chrono::milliseconds(20);
 constexpr int kRestPerLook = 4;
-constexpr std::size_t kBlock = 512;  // bytes, the unit of ulimit
 
 [[noreturn]] void fail(int error, const char* what) {
   throw std::system_error(error, std::generic_category(), what);
@@ -60,85 +57,6 @@ Pipe make_pipe() {
 void make_nonblocking(const Descriptor& fd) {
   if (fcntl(fd.get(), F_SETFL, O_NONBLOCK) != 0) fail(errno, "fcntl");
 }
-
-// What a subject learns of this program's environment besides what is asked for: what a command is
-// found and run by, and what a build for testing reads. No token and no place of this run.
-constexpr std::string_view kPassedOn[] = {
-    "PATH",         "HOME",          "USER",         "LOGNAME",      "SHELL",
-    "LANG",         "LANGUAGE",      "TZ",           "TMPDIR",       "LD_LIBRARY_PATH",
-    "ASAN_OPTIONS", "UBSAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS", "LLVM_PROFILE_FILE"};
-
-std::vector<std::string> environment_of(const Limits& limits) {
-  std::vector<std::string> environment;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string_view text = *entry;
-    const std::string_view name = text.substr(0, text.find('='));
-    if (name.starts_with("LC_") || std::ranges::find(kPassedOn, name) != std::end(kPassedOn) ||
-        std::ranges::find(limits.environment, name) != limits.environment.end()) {
-      environment.emplace_back(text);
-    }
-  }
-  // NAME=VALUE, which need not be in this program's environment.
-  std::ranges::copy_if(limits.environment, std::back_inserter(environment),
-                       [](const std::string& entry) { return entry.find('=') != std::string::npos; });
-  environment.push_back(family_mark());
-  return environment;
-}
-
-// The command, with no core files and no file longer than the memory that it may have.
-std::string limited(const std::string& command, const Limits& limits) {
-  return fmt::format("ulimit -c 0 2>/dev/null; ulimit -f {} 2>/dev/null; {}",
-                     limits.memory_bytes / kBlock, command);
-}
-
-// The settings of a new process: own session, no blocked or ignored signals, three pipes.
-class SpawnSettings {
- public:
-  SpawnSettings(int in, int out, int err) {
-    posix_spawn_file_actions_init(&files_);
-    posix_spawnattr_init(&attributes_);
-    posix_spawn_file_actions_adddup2(&files_, in, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&files_, out, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&files_, err, STDERR_FILENO);
-    sigset_t none;
-    sigemptyset(&none);
-    sigset_t all;
-    sigfillset(&all);
-    posix_spawnattr_setsigmask(&attributes_, &none);
-    posix_spawnattr_setsigdefault(&attributes_, &all);
-    posix_spawnattr_setflags(&attributes_,
-                             POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-  ~SpawnSettings() {
-    posix_spawn_file_actions_destroy(&files_);
-    posix_spawnattr_destroy(&attributes_);
-  }
-  pid_t spawn_shell(const std::string& command, const Limits& limits,
-                    const ControlGroup& group) const {
-    const std::string script = limited(command, limits);
-    std::vector<std::string> words = group.entering(
-        limits.sandbox.is_on() ? sandbox_words(limits.sandbox, script, limits.memory_bytes)
-                               : std::vector<std::string>{"/bin/sh", "-c", script});
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    std::vector<std::string> environment = environment_of(limits);
-    std::vector<char*> entries;
-    for (std::string& entry : environment) entries.push_back(entry.data());
-    entries.push_back(nullptr);
-    pid_t pid = -1;
-    const int error = posix_spawn(&pid, words.front().c_str(), &files_, &attributes_,
-                                  arguments.data(), entries.data());
-    if (error != 0) fail(error, ("posix_spawn " + words.front()).c_str());
-    return pid;
-  }
-
- private:
-  posix_spawn_file_actions_t files_;
-  posix_spawnattr_t attributes_;
-};
 
 // write() that a closed pipe answers with EPIPE and never with a signal, in spite of the
 // program's own handling of SIGPIPE.
@@ -196,11 +114,12 @@ Process::Process(const std::string& command, const Limits& limits)
   make_nonblocking(in.write);
   make_nonblocking(out.read);
   make_nonblocking(err.read);
-  const SpawnSettings settings(in.read.get(), out.write.get(), err.write.get());
   // In a sandbox the processes end with this program.
   if (!limits.sandbox.is_on()) start_family_keeper();
   pid_ = begin_family(
-      [&](const ControlGroup& group) { return settings.spawn_shell(command, limits, group); },
+      [&](const ControlGroup& group) {
+        return spawn_shell(command, limits, group, in.read.get(), out.write.get(), err.write.get());
+      },
       ControlGroup::make(limits.memory_bytes, limits.processes));
   input_ = std::move(in.write);
   output_ = std::move(out.read);

@@ -26,6 +26,8 @@ FASTEST = 1000  # mm/s; of what has no feed of its own
 NOISE = 1e-9    # s
 INFINITY = float("inf")
 LIMIT = 1000000  # intervals that tell the rhythm
+LONGEST_RAMP = 5    # s; a motion that lasts no longer may be all speeding up and slowing down
+LONGEST_STAND = 10  # s; beyond its dwells that a machine may stand at their place
 
 
 class Undecided(Exception):
@@ -326,6 +328,16 @@ def turns_between(a, b):
     return math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) / (2 * math.pi)
 
 
+def is_ramp(speeds, part):
+    """Whether they rise and then fall, but for changes within that part of them."""
+    falls = False
+    for before, speed in zip(speeds, speeds[1:]):
+        if falls and before < speed * part:
+            return False
+        falls = falls or speed < before * part
+    return True
+
+
 class FeedWatch:
     """Bounds of the feed of one motion."""
 
@@ -354,17 +366,21 @@ class FeedWatch:
         first, last = len(places) // 4, len(places) - 1 - len(places) // 4
         if last < first + 8:
             return False
-        slowest, fastest = INFINITY, 0.0
+        means, most = [], 0.0
         for i in range(4):
             a = places[first + (last - first) * i // 4]
             b = places[first + (last - first) * (i + 1) // 4]
-            if self.too_fast(self.between(a, b)):
+            bounds = self.between(a, b)
+            if self.too_fast(bounds):
                 return True
-            mean = ((b[1] + b[2]) - (a[1] + a[2])) / 2 / (b[0] - a[0])
-            slowest, fastest = min(slowest, mean), max(fastest, mean)
-        middle = self.between(places[first], places[last])
-        return (slowest >= fastest * (1 - self.granted) and
-                middle[1] < self.piece.speed * (1 - self.granted))
+            means.append(((b[1] + b[2]) - (a[1] + a[2])) / 2 / (b[0] - a[0]))
+            most = max(most, bounds[1])
+        part = 1 - self.granted
+        if min(means) >= max(means) * part:
+            most = self.between(places[first], places[last])[1]
+        elif places[-1][0] - places[0][0] <= LONGEST_RAMP and is_ramp(means, part):
+            return False
+        return most < self.piece.speed * part
 
 
 class State:
@@ -404,6 +420,9 @@ class Run:
         self.departure = self.feed_fault = self.open = None
         self.watches, self.cache, self.unseen, self.progress = {}, {}, set(), 0
         self.moved = self.left_end = self.at_end = False
+        # Where the machine stands, since when, the dwells there; whether it may have stood before.
+        self.place, self.since, self.until, self.dwells, self.is_first = None, 0.0, 0.0, set(), True
+        self.long_stands = []
         for piece in self.pieces:
             blind = [i for i in range(5) if piece.moves() and piece.travel[i] != 0 and i not in seen]
             if blind:
@@ -537,8 +556,20 @@ class Run:
         self.last_time = point.time
         self.moved = self.moved or not agree(point, self.start, self.tube)
         self.holes.take(point, True)
+        self._note_stand(point)
         self._note(point)
         return self.open is None
+
+    def _note_stand(self, point):
+        twice = Tube(2 * self.tube.exact, self.tube.strict)
+        if self.place is None or not agree(point, self.place, twice):
+            beyond = self.until - self.since - sum(self.pieces[i].time() for i in self.dwells)
+            if self.dwells and not self.is_first and beyond > LONGEST_STAND:
+                self.long_stands.append(self.pieces[max(self.dwells)].block)
+            self.is_first = self.place is None
+            self.place, self.since, self.dwells = point.near, point.time, set()
+        self.until = point.time
+        self.dwells |= {i for i in self.states if self.pieces[i].kind == "dwell"}
 
     def _depart(self, point):
         piece = self.pieces[max(self.states)]
@@ -659,6 +690,8 @@ def shown(run):
     """The answer where all that the samples show is right."""
     if run.holes.found:
         return "UNDECIDED", run.holes.text()
+    if run.long_stands:
+        return "UNDECIDED", "it stands too long at the dwell of line %d" % run.long_stands[0]
     if run.unseen:
         lines = sorted({run.pieces[i].block for i in run.unseen if i < len(run.pieces)})
         return "UNDECIDED", "no sample shows lines %s" % ", ".join(map(str, lines))

@@ -14,15 +14,12 @@
 #include <set>
 #include <system_error>
 
-#include "cli/arguments.hpp"
 #include "cli/certify_options.hpp"
 #include "cli/certify_run.hpp"
 #include "cli/certify_selection.hpp"
 #include "cli/commands.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/named_files.hpp"
 #include "cli/options.hpp"
-#include "cli/sandbox_options.hpp"
 #include "cli/subjects.hpp"
 #include "expanders/registry.hpp"
 #include "publish/report/command.hpp"

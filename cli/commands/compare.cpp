@@ -4,54 +4,34 @@
 #include <string>
 #include <vector>
 
+#include "campaign/results_reader.hpp"
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "cli/results_file.hpp"
 #include "publish/evidence/compare.hpp"
-#include "publish/evidence/compare_runs.hpp"
 
 namespace gonogo::cli {
 namespace {
 
-using oracle::evidence::CompareFormat;
+namespace evidence = oracle::evidence;
 
 struct CompareOptions {
   std::vector<std::string> results;
   std::string format = "text";
 };
 
-CompareFormat format_of(const std::string& word) {
-  if (word == "json") return CompareFormat::json;
-  return word == "markdown" ? CompareFormat::markdown : CompareFormat::text;
+evidence::CompareFormat format_of(const std::string& word) {
+  if (word == "json") return evidence::CompareFormat::json;
+  return word == "markdown" ? evidence::CompareFormat::markdown : evidence::CompareFormat::text;
 }
 
 // Runs of other corpora or selections say nothing of each other.
-void need_common_cases(const oracle::evidence::ComparedCases& cases, std::size_t changed) {
-  if (cases.same + changed > 0 || cases.added + cases.gone == 0) return;
+void need_common_cases(const evidence::Comparison& runs) {
+  if (runs.same + runs.changed.size() > 0 || runs.added.count + runs.gone.count == 0) return;
   throw UsageError(
       "The runs have no case in common: there is nothing to compare. Name results of the same "
       "corpus and dialects.");
-}
-
-// The text of the comparison, and whether there is a regression in it.
-struct Compared {
-  std::string text;
-  bool regression = false;
-};
-
-Compared compared(const std::vector<std::string>& paths, CompareFormat format) {
-  namespace evidence = oracle::evidence;
-  if (paths.size() == 2) {
-    const evidence::Comparison two = evidence::compare_results(paths[0], paths[1]);
-    need_common_cases(two, two.changed.size());
-    return {evidence::comparison_text(two, format), two.count(evidence::Change::regression) > 0};
-  }
-  const evidence::RunsComparison many = evidence::compare_runs(paths);
-  need_common_cases(many, many.changed.size());
-  return {evidence::runs_comparison_text(many, format),
-          many.count(evidence::Change::regression) > 0};
 }
 
 int compare(const CompareOptions& options) {
@@ -60,20 +40,21 @@ int compare(const CompareOptions& options) {
   }
   std::vector<std::string> paths;
   for (const std::string& path : options.results) paths.push_back(results_in(path));
-  Compared comparison;
+  evidence::Comparison comparison;
   try {
-    comparison = compared(paths, format_of(options.format));
+    comparison = evidence::compare_runs(paths);
   } catch (const oracle::ResultsError& error) {
     throw UsageError(error.what());
   }
+  need_common_cases(comparison);
   Output output;
-  output.text() = comparison.text;
+  output.text() = evidence::comparison_text(comparison, format_of(options.format));
   if (options.format == "text") {
     output.tell();
   } else {
     output.flush();
   }
-  return comparison.regression ? kNoGo : kGo;
+  return comparison.count(evidence::Change::regression) > 0 ? kNoGo : kGo;
 }
 
 }  // namespace

@@ -3,10 +3,7 @@
 // gonogo completion: the script with which bash completes the words of a command line.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "expanders/registry.hpp"
 #include "reference/dialect.hpp"

@@ -7,31 +7,23 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "cli/commands.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/corpus_stats.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "corpus/io/corpus_diff.hpp"
 #include "corpus/io/folder_writer.hpp"
 #include "corpus/io/lint.hpp"
-#include "fuzz/generate/cover/cases.hpp"
 #include "oracle/records/features.hpp"
 #include "oracle/records/text.hpp"
-#include "reference/dialect.hpp"
 #include "reference/nearest_word.hpp"
 
 namespace gonogo::cli {
 namespace {
 
-using cover::Making;
 using oracle::Case;
-
-std::string_view basis_name(const oracle::Expectation& expectation) {
-  return expectation.basis ? reference::name(*expectation.basis) : "not said";
-}
 
 // Which cases are meant; empty lists choose all.
 struct Choice {
@@ -95,11 +87,10 @@ int list(const CorpusWords& words) {
   Output output;
   bool any = false;
   corpus.for_each([&](const Case& test) {
-    if (!words.choice.takes(test)) return true;
+    if (!words.choice.takes(test)) return;
     any = true;
     output.text() += fmt::format("{}  {}\n", test.id, oracle::visible(test.comment));
     output.flush_if_large();
-    return true;
   });
   if (!any) fail_to_choose(corpus);
   output.tell();
@@ -126,36 +117,6 @@ int cycles(const CorpusWords& words) {
   return kGo;
 }
 
-// The rows of each covering array that cases of a corpus come from, by what their ids begin with.
-class Arrays {
- public:
-  void take(const Case& test) {
-    const std::optional<Making> making = cover::making_of(test);
-    if (!making) return;
-    Array& array = arrays_[making->stem()];
-    if (array.rows.empty()) {
-      array.making = *making;
-      array.parameters = cover::parse_parameters(making->model->parameters);
-    }
-    array.rows.push_back(cover::row_of(array.parameters, test));
-  }
-  // Calls with what the ids begin with and the count of its tuples.
-  template <typename Visit>
-  void for_each(Visit visit) const {
-    for (const auto& [stem, array] : arrays_) {
-      visit(stem, cover::count_tuples(array.parameters, array.making.strength, array.rows));
-    }
-  }
-
- private:
-  struct Array {
-    Making making;
-    cover::Parameters parameters;
-    std::vector<cover::Row> rows;
-  };
-  std::map<std::string, Array> arrays_;
-};
-
 int lint(const CorpusWords& words) {
   const oracle::Corpus corpus(corpus_folder(words.folder));
   Output output;
@@ -166,11 +127,8 @@ int lint(const CorpusWords& words) {
     output.flush_if_large();
   };
   const std::size_t cases = oracle::lint(corpus, {words.part}, say);
-  Arrays arrays;
-  corpus.for_each([&](const Case& test) {
-    arrays.take(test);
-    return true;
-  });
+  CoveringArrays arrays;
+  corpus.for_each([&](const Case& test) { arrays.take(test); });
   arrays.for_each([&](const std::string& stem, const cover::TupleCount& count) {
     for (const std::string& row : count.invalid) {
       say(fmt::format("{}: {} has classes that do not go together.", stem, row));
@@ -204,111 +162,18 @@ int diff(const CorpusWords& words) {
   return diff.same() ? kGo : kNoGo;
 }
 
-// How often something occurs, by name.
-using Count = std::map<std::string, std::size_t>;
-
-class Stats {
- public:
-  void take(const Case& test) {
-    Cycle& cycle = cycles_[test.dialect + " " + test.cycle];
-    ++cycle.cases;
-    ++cases_;
-    dialects_.insert(test.dialect);
-    std::set<std::string> alarms;
-    for (const oracle::Expectation& expectation : test.expect) {
-      ++bases_[fmt::format("{}, {}", basis_name(expectation),
-                           expectation.alarms.empty() ? "no alarm" : "alarm")];
-      for (const auto& alarm : expectation.alarms) alarms.emplace(name(alarm.alarm));
-      for (const auto& record : expectation.records) {
-        if (record.clause != reference::kNoClause) {
-          clauses_.emplace(reference::clause_name(record.clause));
-        }
-        if (record.kind == reference::RecordKind::arc) {
-          ++planes_[fmt::format("G{}", reference::plane_code(record.plane))];
-        }
-      }
-    }
-    if (!alarms.empty()) ++cycle.alarms, ++alarming_;
-    for (const std::string& alarm : alarms) ++alarms_[alarm];
-    if (!test.tags_sign.empty()) ++signs_;
-    listed_.insert(test.clauses.begin(), test.clauses.end());
-    for (const reference::Reading& reading : reference::readings()) {
-      const std::string_view value = test.profile.readings.get(reading.key);
-      if (reading.belongs_to(test.dialect) && value != reading.fallback) {
-        ++readings_[fmt::format("{}={}", reading.name, value)];
-      }
-    }
-    arrays_.take(test);
-  }
-
-  std::size_t cases() const { return cases_; }
-
-  void print(Output& output) const {
-    std::string& text = output.text();
-    text += fmt::format("{} cases, {} with an alarm ({:.1f} in a hundred), {} at a limit\n", cases_,
-                        alarming_,
-                        100.0 * static_cast<double>(alarming_) /
-                            static_cast<double>(std::max<std::size_t>(cases_, 1)),
-                        signs_);
-    for (const auto& [name, cycle] : cycles_) {
-      text +=
-          fmt::format("{:<24} {:>6} cases, {:>5} with an alarm\n", name, cycle.cases, cycle.alarms);
-    }
-    text += fmt::format("clauses: {} of {} stand in groups, {} in records\n", listed_.size(),
-                        count_clauses(), clauses_.size());
-    print(text, "basis, expectations", bases_);
-    print(text, "alarm, cases that may raise it", alarms_);
-    print(text, "plane of arcs, records", planes_);
-    print(text, "reading other than the default, cases", readings_);
-    text += "covering arrays\n";
-    arrays_.for_each([&](const std::string& stem, const cover::TupleCount& count) {
-      text += fmt::format("  {:<28} {:>6} tuples, {:>6} covered, {:>5} excluded\n", stem,
-                          count.allowed, count.covered, count.excluded);
-    });
-  }
-
- private:
-  struct Cycle {
-    std::size_t cases = 0;
-    std::size_t alarms = 0;
-  };
-
-  // For the dialects that the cases have; a clause may belong to two of them.
-  std::size_t count_clauses() const {
-    std::set<std::string_view> ids;
-    for (const std::string& dialect : dialects_) {
-      for (const reference::Clause& clause : reference::find_dialect(dialect)->clauses) {
-        ids.insert(clause.id);
-      }
-    }
-    return ids.size();
-  }
-
-  static void print(std::string& text, const char* what, const Count& count) {
-    text += fmt::format("{}\n", what);
-    for (const auto& [name, times] : count) text += fmt::format("  {:<40} {:>6}\n", name, times);
-  }
-
-  std::map<std::string, Cycle> cycles_;
-  std::size_t cases_ = 0, alarming_ = 0, signs_ = 0;
-  Count bases_, alarms_, planes_, readings_;
-  std::set<std::string> clauses_, listed_, dialects_;
-  Arrays arrays_;
-};
-
 int stats(const CorpusWords& words) {
   check_choice(words.choice);
   const oracle::Corpus corpus(corpus_folder(words.folder));
-  Stats stats;
+  CorpusStats stats;
   corpus.for_each([&](const Case& test) {
     if (words.choice.takes(test)) stats.take(test);
-    return true;
   });
   if (stats.cases() == 0) fail_to_choose(corpus);
   Output output;
   output.text() =
       fmt::format("corpus {} sha256 {}\n", oracle::visible(corpus.version()), corpus.sha256());
-  stats.print(output);
+  output.text() += stats.text();
   output.tell();
   return kGo;
 }
@@ -368,8 +233,8 @@ void add_corpus(Command& program) {
   lints.run([words] { return lint(*words); });
 
   Command diffs = command.add_command("diff", "what was added, removed or changed between two");
-  diffs.argument("old", words->old_folder, "folder of the old corpus");
-  diffs.argument("new", words->new_folder, "folder of the new corpus");
+  diffs.needed("old", words->old_folder, "folder of the old corpus");
+  diffs.needed("new", words->new_folder, "folder of the new corpus");
   diffs.run([words] { return diff(*words); });
 
   Command counts = command.add_command("stats", "how many cases, alarms, clauses, tuples");
@@ -379,7 +244,7 @@ void add_corpus(Command& program) {
 
   Command copies = command.add_command("copy", "a part of the corpus as one of its own");
   copies.option("--corpus", words->folder, whose);
-  copies.needed_option("--out", words->out, "new folder for the part");
+  copies.needed("--out", words->out, "new folder for the part");
   add_choice(copies, words->choice);
   copies.run([words] { return copy(*words); });
 

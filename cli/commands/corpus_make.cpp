@@ -8,15 +8,13 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "corpus/recipes/build.hpp"
 #include "corpus/io/corpus_diff.hpp"
-#include "corpus/io/files.hpp"
 #include "corpus/io/folder_writer.hpp"
-#include "corpus/io/sha256.hpp"
+#include "corpus/recipes/build.hpp"
 #include "oracle/records/output_file.hpp"
+#include "publish/evidence/certificate_files.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -87,7 +85,6 @@ void show_for_review(const std::string& folder, Output& output) {
       output.text() += oracle::expectation_json(expectation) + "\n";
     }
     output.flush_if_large();
-    return true;
   });
 }
 
@@ -129,7 +126,7 @@ int merge(const MakeWords& words) {
   }
   oracle::write_corpus(words.out, all);
   std::size_t count = 0;
-  oracle::Corpus(words.out).for_each([&](const Case&) { return ++count, true; });
+  oracle::Corpus(words.out).for_each([&](const Case&) { ++count; });
   say(fmt::format("{} cases of {} corpora in {}, version {}\n", count, words.corpora.size(),
                   words.out, words.version));
   return kGo;
@@ -168,9 +165,7 @@ int publish(const MakeWords& words) {
   }
   std::string sums;
   for (const std::string& file : files) {
-    oracle::Sha256 hash;
-    hash.update(oracle::file_text(words.out + "/" + file));
-    sums += hash.hex() + "  " + file + "\n";
+    sums += oracle::evidence::file_sha256(words.out + "/" + file) + "  " + file + "\n";
   }
   oracle::write_file(fs::path(words.out) / "SHA256SUMS", sums);
   say(fmt::format("{}: version {}, {}; {} files in SHA256SUMS\n", words.out, corpus.version(),
@@ -183,27 +178,27 @@ int publish(const MakeWords& words) {
 void add_corpus_making(Command& corpus) {
   auto words = std::make_shared<MakeWords>();
   Command news = corpus.add_command("new", "a folder of recipes with a first case");
-  news.argument("recipes", words->out, "new folder");
-  news.needed_option("--dialect", words->dialect, "dialect of the first case");
+  news.needed("recipes", words->out, "new folder");
+  news.needed("--dialect", words->dialect, "dialect of the first case");
   news.run([words] { return start(*words); });
 
   Command builds = corpus.add_command("build", "the vectors of a corpus from its recipes");
-  builds.argument("recipes", words->recipes, "folder of the recipes");
-  builds.argument("out", words->out, "folder of the corpus");
+  builds.needed("recipes", words->recipes, "folder of the recipes");
+  builds.needed("out", words->out, "folder of the corpus");
   builds.flag("--review", words->review, "show what the reference says of each case");
   builds.run([words] { return build(*words); });
 
   Command merges = corpus.add_command("merge", "several corpora as one");
   merges.arguments("corpus", words->corpora, "folders of corpora");
-  merges.needed_option("--out", words->out, "new folder");
-  merges.needed_option("--version", words->version, "version of the whole: year.minor.patch");
+  merges.needed("--out", words->out, "new folder");
+  merges.needed("--version", words->version, "version of the whole: year.minor.patch");
   merges.run([words] { return merge(*words); });
 
   Command publishes =
       corpus.add_command("publish", "a corpus to hand on: licence, checksums, what changed");
   publishes.arguments("corpus", words->corpora, "folder of the corpus");
-  publishes.needed_option("--out", words->out, "new folder");
-  publishes.needed_option("--license", words->license, "an identifier of SPDX: CC0-1.0, CC-BY-4.0");
+  publishes.needed("--out", words->out, "new folder");
+  publishes.needed("--license", words->license, "an identifier of SPDX: CC0-1.0, CC-BY-4.0");
   publishes.option("--since", words->since, "folder of the version before, for CHANGES.md");
   publishes.run([words] { return publish(*words); });
 }

@@ -8,7 +8,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/diagnostics.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/formats.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -27,12 +26,6 @@ struct ExpandOptions {
   long block = 0;  // 0: the first cycle
   ProfileOptions profile;
 };
-
-void warn_about_empty_program(const ProgramFile& file) {
-  if (file.size() == 0) {
-    throw UsageError(fmt::format("{} is empty. Name a file with an NC program.", file.name()));
-  }
-}
 
 // One run of the reference, shown as it goes on. Where it first asks an open reading, the readings
 // to show are looked for; another run goes on with them behind what is shown, which they do not
@@ -70,7 +63,7 @@ class Expansion {
       return is_new;
     };
     expander.on_warning([&](const reference::Warning& warning, const grammar::Line& line) {
-      if (is_new_note()) report_warning(warning, file_.name(), line);
+      if (is_new_note()) report_diagnostic(warning, file_.name(), line);
     });
     if (has_places_) {
       expander.on_places([&](std::uint64_t block, const reference::CyclePlaces& places) {
@@ -101,20 +94,21 @@ class Expansion {
 
   void show(const reference::Item& item, const reference::Expander& expander,
             grammar::LineSource& lines) {
-    const grammar::Dialect dialect = reference::find_dialect(profile_.dialect)->grammar;
     if (auto* record = std::get_if<reference::Record>(&item)) {
       format_->record(*record, output_.text());
-      output_.flush_if_large();
-    } else if (auto* alarms = std::get_if<reference::AlarmReport>(&item)) {
+      return output_.flush_if_large();
+    }
+    const grammar::Dialect dialect = reference::find_dialect(profile_.dialect)->grammar;
+    if (auto* alarms = std::get_if<reference::AlarmReport>(&item)) {
       format_->alarm(*alarms, output_.text());
       output_.flush();
-      report_alarms(*alarms, file_.name(), expander.failed_line());
+      report_diagnostic(*alarms, file_.name(), expander.failed_line());
       if (alarms->syntax) report_further_syntax_errors(dialect, lines, file_.name());
       exit_code_ = kNoGo;
     } else if (auto* outside = std::get_if<reference::NotCovered>(&item)) {
       format_->not_covered(*outside, output_.text());
       output_.flush();
-      report_not_covered(*outside, file_.name(), expander.failed_line());
+      report_diagnostic(*outside, file_.name(), expander.failed_line());
       report_further_syntax_errors(dialect, lines, file_.name());
       exit_code_ = kUndecided;
     }
@@ -139,7 +133,9 @@ int expand(const ExpandOptions& options) {
     throw UsageError("--block names the points of a cycle in a drawing: add --format svg.");
   }
   ProgramFile file(options.program);
-  warn_about_empty_program(file);
+  if (file.size() == 0) {
+    throw UsageError(fmt::format("{} is empty. Name a file with an NC program.", file.name()));
+  }
   file.keep();
   reference::Profile profile = load_profile(options.profile);
   file.add_called_files(profile.dialect);
@@ -151,7 +147,7 @@ int expand(const ExpandOptions& options) {
 void add_expand(Command& program) {
   auto options = std::make_shared<ExpandOptions>();
   Command command = program.add_command("expand", "Write the motions of a program");
-  command.argument("program", options->program, "NC program, or - for standard input");
+  command.needed("program", options->program, "NC program, or - for standard input");
   add_profile_options(command, options->profile);
   command.choice("--format", options->format, {"jsonl", "table", "ngc", "svg"},
                  "jsonl, table, ngc or svg");

@@ -8,10 +8,9 @@
 #include "cli/called_files.hpp"
 #include "cli/commands.hpp"
 #include "cli/diagnostics.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "oracle/judge/time_rows.hpp"
+#include "oracle/judge/cycle_time.hpp"
 #include "oracle/records/run_scope.hpp"
 #include "oracle/steps/different_assignments.hpp"
 #include "publish/manual/motion_text.hpp"
@@ -158,11 +157,11 @@ int explain(const ExplainOptions& options) {
       explanation.rename(renaming->shift);
     } else if (auto* alarms = std::get_if<reference::AlarmReport>(item)) {
       output.tell();
-      report_alarms(*alarms, options.program, expander.failed_line());
+      report_diagnostic(*alarms, options.program, expander.failed_line());
       exit_code = kNoGo;
     } else if (auto* outside = std::get_if<reference::NotCovered>(item)) {
       output.tell();
-      report_not_covered(*outside, options.program, expander.failed_line());
+      report_diagnostic(*outside, options.program, expander.failed_line());
       exit_code = kUndecided;
     }
   }
@@ -182,7 +181,7 @@ void add_explain(Command& program) {
   auto options = std::make_shared<ExplainOptions>();
   Command command =
       program.add_command("explain", "Show each motion of a program with the clause it comes from");
-  command.argument("program", options->program, "NC program, or - for standard input");
+  command.needed("program", options->program, "NC program, or - for standard input");
   add_profile_options(command, options->profile);
   command.number("--block", options->block, 1, kMostLines, "only this line of the program");
   command.run([options] { return explain(*options); });

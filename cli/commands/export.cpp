@@ -3,18 +3,14 @@
 // gonogo export: the programs of a corpus for a real controller. What comes back is judged with
 // `gonogo certify --subject capture:DIR`.
 #include <fmt/format.h>
-#include <fnmatch.h>
 
-#include <algorithm>
-
+#include "campaign/selection.hpp"
+#include "capture/exporter.hpp"
 #include "cli/commands.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/named_files.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/version.hpp"
-#include "campaign/selection.hpp"
-#include "capture/exporter.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -33,16 +29,6 @@ struct ExportArguments {
   bool all_profiles = false;
   bool expected = false;
 };
-
-bool selected(const ExportArguments& arguments, const oracle::Case& test) {
-  if (!arguments.dialects.empty() &&
-      std::ranges::find(arguments.dialects, test.dialect) == arguments.dialects.end()) {
-    return false;
-  }
-  return arguments.only.empty() || std::ranges::any_of(arguments.only, [&](const auto& glob) {
-           return ::fnmatch(glob.c_str(), test.id.c_str(), 0) == 0;
-         });
-}
 
 oracle::ExportOptions export_options(const ExportArguments& arguments) {
   oracle::ExportOptions options;
@@ -63,30 +49,31 @@ oracle::ExportOptions export_options(const ExportArguments& arguments) {
   return options;
 }
 
-// The machine, and the readings that it follows.
-oracle::CampaignOptions machine_of(const ExportArguments& arguments) {
-  oracle::CampaignOptions machine;
-  machine.readings = arguments.readings;
+// Which cases, on which machine, and the readings that it follows.
+oracle::CampaignOptions campaign_of(const ExportArguments& arguments) {
+  oracle::CampaignOptions campaign;
+  campaign.dialects = arguments.dialects;
+  campaign.only = arguments.only;
+  campaign.readings = arguments.readings;
   if (!arguments.profile.empty()) {
     const bool one = arguments.dialects.size() == 1;
-    load_machine(machine, one ? arguments.dialects.front() : "", arguments.profile);
+    load_machine(campaign, one ? arguments.dialects.front() : "", arguments.profile);
   }
-  return machine;
+  return campaign;
 }
 
 int run_export(const ExportArguments& arguments) {
   for (const std::string& dialect : arguments.dialects) load_profile({dialect, "", {}});
   const oracle::ExportOptions options = export_options(arguments);
-  const oracle::CampaignOptions machine = machine_of(arguments);
+  const oracle::CampaignOptions campaign = campaign_of(arguments);
   const oracle::Corpus corpus(corpus_folder(arguments.corpus));
   Output output;
   try {
     oracle::Exporter exporter(arguments.out, options,
                               {kVersion, corpus.version(), corpus.sha256()});
     corpus.for_each([&](const oracle::Case& test) {
-      if (!selected(arguments, test)) return true;
-      if (const auto led = oracle::under(machine, test)) exporter.add(*led);
-      return true;
+      if (!is_selected(campaign, test)) return;
+      if (const auto led = oracle::under(campaign, test)) exporter.add(*led);
     });
     output.text() = exporter.finish();
   } catch (const oracle::CorpusError&) {
@@ -107,7 +94,7 @@ void add_export(Command& program) {
   Command command =
       program.add_command("export", "Write the corpus as programs for a real controller");
   command.option("--corpus", arguments->corpus, "folder of the corpus (the checked-in one)");
-  command.needed_option("--out", arguments->out, "new folder for the programs and manifest.json");
+  command.needed("--out", arguments->out, "new folder for the programs and manifest.json");
   command.repeated_option("--dialect", arguments->dialects, "only this dialect");
   command.repeated_option("--only", arguments->only, "only ids that match the glob");
   command.option("--envelope", arguments->envelope,

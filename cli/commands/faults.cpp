@@ -11,8 +11,7 @@
 #include <set>
 
 #include "cli/commands.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/named_files.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"

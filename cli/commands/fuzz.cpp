@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
 #include "fuzz/engine/fuzz_run.hpp"

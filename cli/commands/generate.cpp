@@ -12,7 +12,6 @@
 #include <set>
 
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
@@ -182,8 +181,7 @@ generate::ValidOptions valid_options(const GenerateWords& words) {
   if (words.settings.find("near-invalid") != std::string::npos || options.settings.kinds.raw > 0) {
     throw UsageError(
         "--valid writes nothing wrong: leave near-invalid and raw out of --settings; valid, "
-        "boundary "
-        "and tiny are weights that go with it.");
+        "boundary and tiny are weights that go with it.");
   }
   options.features = declared_features(words);
   if (!words.profile.empty()) options.profile = load_profile({words.dialect, words.profile, {}});
@@ -279,8 +277,8 @@ void add_generate(Command& program) {
   auto words = std::make_shared<GenerateWords>();
   Command command = program.add_command(
       "generate", "Make vectors: of every tuple of classes, or of programs drawn at random");
-  command.needed_option("--dialect", words->dialect, "dialect of the programs");
-  command.needed_option("--out", words->out, "new folder for the vectors");
+  command.needed("--dialect", words->dialect, "dialect of the programs");
+  command.needed("--out", words->out, "new folder for the vectors");
   command.number("--strength", words->strength, 1, 4,
                  "how many classes of valid values together (each model's own)");
   command.number("--fault-strength", words->fault_strength, 1, 4,

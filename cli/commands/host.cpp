@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "oracle/records/text.hpp"
 #include "subjects/library_file.hpp"
@@ -54,10 +53,13 @@ void say(const Channel& channel, const std::string& line) {
 }
 
 // What stands in the table is the library's, and the sentence says whose.
-oracle::LibraryHost made_host(const oracle::Library& library, const Channel& channel) try {
-  return {library.subject(), channel.input, channel.output};
-} catch (const oracle::SubjectUnusable& error) {
-  throw oracle::SubjectUnusable(library.path() + ": " + error.what());
+oracle::LibraryHost made_host(const std::string& library, const Channel& channel) {
+  const gonogo_subject_v1& subject = oracle::load_library(library);
+  try {
+    return {subject, channel.input, channel.output};
+  } catch (const oracle::SubjectUnusable& error) {
+    throw oracle::SubjectUnusable(oracle::library_path(library) + ": " + error.what());
+  }
 }
 
 // What can be done with a library that fits. One that declares no dialect is asked for one.
@@ -76,8 +78,7 @@ std::string fits(const HostOptions& options, const std::string& reply) {
 int host(const HostOptions& options) {
   const Channel channel;
   try {
-    const oracle::Library library(options.library);
-    oracle::LibraryHost host = made_host(library, channel);
+    oracle::LibraryHost host = made_host(options.library, channel);
     if (options.check) {
       say(channel, host.start_reply() + "\n" + fits(options, host.start_reply()));
     } else {
@@ -96,7 +97,7 @@ int host(const HostOptions& options) {
 void add_host(Command& program) {
   auto options = std::make_shared<HostOptions>();
   Command command = program.add_command("host", "Run a shared library behind the pipe protocol");
-  command.argument("library", options->library, "shared library with gonogo_get_subject");
+  command.needed("library", options->library, "shared library with gonogo_get_subject");
   command.flag("--check", options->check, "only load it and print what it says of itself");
   command.run([options] { return host(*options); });
 }

@@ -7,16 +7,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <limits>
 
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/hunt_causes.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
 #include "oracle/records/run_scope.hpp"
-#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -95,8 +92,7 @@ std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTa
   const hunt::HuntCount& count = hunt.count();
   return fmt::format(
       "{}, {}: {} programs from seed {}, {} judged ({} with motion), {} skipped, {} undecided, {} "
-      "too long{}; "
-      "{} features of the reference in {} programs; {}{}{}\n",
+      "too long{}; {} features of the reference in {} programs; {}{}{}\n",
       words.trial.subject, words.dialect, count.programs, words.seed, count.judged, count.moved,
       count.skipped, count.gaps, count.too_long,
       count.outside == 0 ? "" : fmt::format(", {} departures outside the domain", count.outside),
@@ -119,9 +115,8 @@ std::string skipped_text(hunt::Hunt& hunt, const std::string& dialect) {
   if (judged_little(count)) {
     text += fmt::format(
         "Only {} of {} programs moved the subject and were judged. That nothing was found in the "
-        "others says nothing: "
-        "declare what the subject does (dialects and features of its answer to `start`), or draw "
-        "programs that it runs (--settings, --profile).\n",
+        "others says nothing: declare what the subject does (dialects and features of its answer "
+        "to `start`), or draw programs that it runs (--settings, --profile).\n",
         count.moved, count.programs);
     if (!hunt.trial().info().declares(dialect, "basic")) {
       text += "The subject does not declare the feature basic, which every drawn program needs.\n";

@@ -15,16 +15,11 @@
 #include "cli/output.hpp"
 #include "cli/version.hpp"
 #include "fuzz/hunt/campaign.hpp"
-#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 namespace {
 
 using hunt::CampaignState;
-
-std::string folder_of(const HuntWords& words, std::size_t shard, std::size_t shards) {
-  return fmt::format("{}/shard-{}-of-{}", words.campaign, shard, shards);
-}
 
 CampaignState wanted_state(const HuntWords& words, std::size_t shard, std::size_t shards) {
   CampaignState state;
@@ -94,7 +89,7 @@ struct Job {
 // Throws UsageError.
 std::unique_ptr<Job> make_job(const HuntWords& words, const hunt::HuntOptions& options,
                               std::size_t job, std::size_t shard, std::size_t shards) {
-  const std::string folder = folder_of(words, shard, shards);
+  const std::string folder = fmt::format("{}/shard-{}-of-{}", words.campaign, shard, shards);
   try {
     return std::make_unique<Job>(
         Job{job, folder,
@@ -139,8 +134,7 @@ int hunt_campaign(HuntWords words) {
   board.close();
   if (end.is_broken_off()) {
     complain(
-        "gonogo: broken off; the rounds that were done are kept, and the same command goes "
-        "on.\n");
+        "gonogo: broken off; the rounds that were done are kept, and the same command goes on.\n");
   }
   const hunt::HuntSummary summary = tell_campaign(words.campaign, words.trial);
   Output output;

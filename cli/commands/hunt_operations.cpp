@@ -5,7 +5,6 @@
 // unsafe. The reference is not asked.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "cli/exit_code.hpp"
@@ -13,7 +12,6 @@
 #include "cli/output.hpp"
 #include "fuzz/hunt/operation_hunt.hpp"
 #include "oracle/records/output_file.hpp"
-#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -24,13 +22,12 @@ hunt::OperationHunt operation_hunt(const HuntWords& words) {
   if (!words.profile.empty() || !words.readings.empty() || !words.settings.empty()) {
     throw UsageError(
         "Operations are written for each dialect's machine as it is: leave --profile, --reading "
-        "and "
-        "--settings out.");
+        "and --settings out.");
   }
   const hunt::TrialOptions trial = trial_options(words.trial);
   hunt::OperationOptions options;
   options.seed = static_cast<std::uint64_t>(words.seed);
-  options.tolerance = trial.tolerance;
+  options.tolerance = trial.grants.tolerance;
   options.run_limit = trial.run_limit;
   if (!words.dialect.empty()) {
     options.dialects.push_back(load_profile({words.dialect, "", {}}).dialect);
@@ -115,8 +112,7 @@ int hunt_operations(const HuntWords& words) {
   Output output;
   output.text() = fmt::format(
       "{}: {} lists of operations from seed {}, {} programs answered, {} without an answer, {} "
-      "pairs "
-      "compared; {} findings{}\n",
+      "pairs compared; {} findings{}\n",
       fmt::join(hunt.ways(), "; "), count.lists, words.seed, count.programs, count.skipped,
       count.pairs, findings, complete ? "" : "; the hunt is incomplete");
   output.tell();

@@ -4,10 +4,7 @@
 // other. The reference is not asked.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cerrno>
 #include <filesystem>
-#include <system_error>
 
 #include "cli/exit_code.hpp"
 #include "cli/hunt_words.hpp"
@@ -15,7 +12,6 @@
 #include "fuzz/hunt/property_hunt.hpp"
 #include "oracle/differential/differential.hpp"
 #include "oracle/records/output_file.hpp"
-#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -31,7 +27,7 @@ hunt::PropertyOptions property_options(const HuntWords& words) {
   if (!words.profile.empty()) options.profile = profile;
   options.readings = readings_of(words.readings);
   options.settings = settings_option(words.settings);
-  options.tolerance = trial.tolerance;
+  options.tolerance = trial.grants.tolerance;
   options.run_limit = trial.run_limit;
   return options;
 }

@@ -6,18 +6,13 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/mapped_subject.hpp"
+#include "cli/named_files.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/sandbox_options.hpp"
-#include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "fuzz/identify/attribution.hpp"
 #include "fuzz/identify/identify.hpp"
 #include "oracle/records/output_file.hpp"
-#include "reference/dialect.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -36,7 +31,7 @@ struct IdentifyWords {
 std::string dialect_of(const IdentifyWords& words, const oracle::SubjectInfo& info) {
   if (!words.profile.file.empty()) return load_profile(words.profile).dialect;
   if (!words.profile.dialect.empty()) {
-    if (reference::find_dialect(words.profile.dialect) == nullptr) load_profile(words.profile);
+    check_dialect_name(words.profile.dialect);
     return words.profile.dialect;
   }
   if (info.dialects.size() == 1) return info.dialects.begin()->first;
@@ -49,19 +44,15 @@ int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
     throw UsageError("The readings are what identify finds. Leave --reading out.");
   }
   const std::string dialect = dialect_of(words, subject.info());
-  identify::PoolOptions pool_options;
   reference::Profile machine = load_profile({dialect, words.profile.file, {}});
+  std::optional<reference::Profile> of_pool;
   if (!words.profile.file.empty()) {
-    pool_options.machine = machine;
-    pool_options.machine->readings = reference::ReadingChoice();
+    of_pool = machine;
+    of_pool->readings = reference::ReadingChoice();
   }
   const oracle::Corpus corpus(corpus_folder(words.corpus));
-  const identify::ProbePool pool = make_pool(corpus, dialect, pool_options);
-  const identify::IdentifyOptions options{
-      length_option(words.limits.tolerance, "--tolerance"),
-      length_option(words.limits.chord, "--chord"),
-      feed_option(words.limits.feed_resolution, "--feed-resolution")};
-  const identify::Identification found = identify_readings(subject, pool, options);
+  const identify::ProbePool pool = identify::make_pool(corpus, dialect, of_pool);
+  const identify::Identification found = identify_readings(subject, pool, words.limits.grants());
   Output output;
   output.text() = identification_text(found, subject.info().name, dialect);
   if (!found.contradiction.empty()) {
@@ -109,10 +100,7 @@ identify::ProgramAsked asked_for(const IdentifyWords& words, const oracle::Corpu
 int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
   if (!words.out.empty()) throw UsageError("--out goes without --departure.");
   const oracle::Corpus corpus(corpus_folder(words.corpus));
-  identify::AttributionOptions options;
-  options.tolerance = length_option(words.limits.tolerance, "--tolerance");
-  options.chord = length_option(words.limits.chord, "--chord");
-  options.feed_resolution = feed_option(words.limits.feed_resolution, "--feed-resolution");
+  const identify::ExplanationOptions options{words.limits.grants()};
   const identify::Attribution attribution =
       attribute(subject, corpus, asked_for(words, corpus, subject.info()), options);
   Output output;
@@ -138,7 +126,7 @@ void add_identify(Command& program) {
   auto words = std::make_shared<IdentifyWords>();
   Command command = program.add_command(
       "identify", "Find which readings a subject follows, or what a departure comes from");
-  command.needed_option("--subject", words->subject, "subject, as certify takes it");
+  command.needed("--subject", words->subject, "subject, as certify takes it");
   command.option("--alarm-map", words->alarm_map, "TOML file of what its own alarms mean");
   command.option(
       "--departure", words->departure,

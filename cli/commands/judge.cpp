@@ -7,13 +7,11 @@
 
 #include "cli/called_files.hpp"
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/recorded_trace.hpp"
-#include "cli/sandbox_options.hpp"
-#include "cli/subject_files.hpp"
+#include "cli/subjects.hpp"
 #include "cli/times_text.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
@@ -68,6 +66,16 @@ void check_numeric(const std::string& kind) {
   throw UsageError(fmt::format("--numeric takes fixed, binary64 or exact, not \"{}\".", kind));
 }
 
+// The whole trace, its records into the session as far as that is undecided.
+TraceSummary read_into(oracle::JudgeSession& session, RecordedTrace& trace) {
+  bool undecided = true;
+  return trace.read(
+      [&](const reference::Record& record) {
+        if (undecided) undecided = session.record(record);
+      },
+      [&](std::string_view line) { return session.line(line); });
+}
+
 // A trace that cannot be read on, as one of `expand` at what is not covered: where the program is
 // not covered behind its records, that is the verdict.
 std::optional<oracle::SessionVerdict> judged_as_outside(const reference::Profile& profile,
@@ -75,11 +83,7 @@ std::optional<oracle::SessionVerdict> judged_as_outside(const reference::Profile
                                                         const oracle::Tolerances& tolerances,
                                                         RecordedTrace& trace) {
   oracle::JudgeSession session(profile, program, tolerances);
-  bool undecided = true;
-  trace.read([&](std::string_view line) { return session.line(line); },
-             [&](const reference::Record& record) {
-               if (undecided) undecided = session.record(record);
-             });
+  read_into(session, trace);
   oracle::SessionVerdict said = session.finish(oracle::RunEnd{});
   const bool is_outside = said.verdict.gap == oracle::GapReason::not_covered ||
                           said.verdict.gap == oracle::GapReason::profile_lacks;
@@ -96,11 +100,7 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
   for (;;) {
     const oracle::Tolerances tolerances = tolerances_for(features, options, profile);
     oracle::JudgeSession session(profile, program, tolerances);
-    bool undecided = true;
-    const TraceSummary seen = trace.read([&](std::string_view line) { return session.line(line); },
-                                         [&](const reference::Record& record) {
-                                           if (undecided) undecided = session.record(record);
-                                         });
+    const TraceSummary seen = read_into(session, trace);
     if (seen.features != features) {
       features = seen.features;
       continue;
@@ -159,8 +159,7 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
                         const oracle::ProgramText& program, RecordedTrace& trace) {
   std::vector<reference::Record> records;
   const TraceSummary seen =
-      trace.read([](std::string_view) { return false; },
-                 [&](const reference::Record& record) { records.push_back(record); });
+      trace.read([&](const reference::Record& record) { records.push_back(record); });
   const relation::Tolerances tolerances =
       tolerances_of_definition(tolerances_for(seen.features, options, profile), options, profile);
   const oracle::RunEnd end = end_of(seen, options);
@@ -242,7 +241,6 @@ int judge_subject(const JudgeOptions& options, const reference::Profile& profile
   TrialWords words{options.subject, options.alarm_map, {}, options.limits};
   words.limits.stated.profile = profile;
   hunt::TrialOptions of_trial = trial_options(words);
-  of_trial.strict = options.limits.strict;
   of_trial.most_records = std::numeric_limits<std::size_t>::max();
   hunt::Trial trial(trial_subject(words), std::move(of_trial));
   check_dialect(trial.info(), profile.dialect);
@@ -275,7 +273,8 @@ int judge(const JudgeOptions& options) {
   if (options.by_definition && !options.sheet.empty()) {
     throw UsageError("--sheet draws what the judge says: leave --by-definition out.");
   }
-  StoredFile program(options.program);
+  ProgramFile program(options.program);
+  program.keep();
   program.add_called_files(profile.dialect);
   const auto text = oracle::ProgramText::of_file(program.descriptor());
   RecordedTrace trace(options.trace);
@@ -309,7 +308,7 @@ int judge(const JudgeOptions& options) {
 void add_judge(Command& program) {
   auto options = std::make_shared<JudgeOptions>();
   Command command = program.add_command("judge", "Judge one outcome of one program");
-  command.argument("program", options->program, "NC program, or - for standard input");
+  command.needed("program", options->program, "NC program, or - for standard input");
   command.option("--trace", options->trace, "records as JSON lines, or - for standard input");
   command.option("--subject", options->subject, "or who runs the program now: as for certify");
   command.option("--alarm-map", options->alarm_map, "TOML file of what its own alarms mean");

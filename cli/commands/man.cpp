@@ -6,7 +6,6 @@
 #include <cctype>
 
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/version.hpp"
 
@@ -109,8 +108,7 @@ The guides and references that come with the program, docs/README.md first.
 std::string page(const CommandText& program) {
   std::string out = fmt::format(
       ".TH GONOGO 1 \"\" \"gonogo {}\" \"User Commands\"\n.SH NAME\ngonogo \\- the master gauge "
-      "for "
-      "CNC canned cycles\n.SH SYNOPSIS\n\\fBgonogo\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.br\n"
+      "for CNC canned cycles\n.SH SYNOPSIS\n\\fBgonogo\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.br\n"
       "\\fBgonogo\\fR [\\fB\\-\\-help\\fR|\\fB\\-\\-version\\fR]\n",
       roff(kVersion));
   out += kBefore;

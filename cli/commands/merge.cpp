@@ -10,14 +10,11 @@
 
 #include "campaign/merge.hpp"
 #include "campaign/results_reader.hpp"
-#include "cli/arguments.hpp"
-#include "cli/colour.hpp"
 #include "cli/commands.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "cli/results_file.hpp"
+#include "cli/terminal.hpp"
 #include "cli/verdict_text.hpp"
 
 namespace gonogo::cli {
@@ -61,8 +58,6 @@ int merge(oracle::MergeOptions options, const std::string& corpus) {
     throw UsageError(error.what());
   } catch (const oracle::ResultsError& error) {
     throw UsageError(error.what());
-  } catch (const oracle::CorpusError& error) {
-    throw UsageError(error.what());
   } catch (const oracle::ResultsUnwritable& error) {
     throw OutputError(fmt::format("{}.", error.what()), false);
   }
@@ -76,7 +71,6 @@ int merge(oracle::MergeOptions options, const std::string& corpus) {
   Output output;
   if (outcome.missing.empty()) {
     CampaignSummary summary;
-    summary.answer = outcome.answer;
     summary.footer = outcome.footer;
     output.text() = summary_text(summary, "merged", wants_colour(STDOUT_FILENO));
   }
@@ -85,7 +79,8 @@ int merge(oracle::MergeOptions options, const std::string& corpus) {
                                    : "Nothing is written; --partial writes what is there.\n";
   output.tell();
   const bool is_checked = outcome.missing.empty() && outcome.has_corpus;
-  return is_checked || outcome.answer.exit_code == kNoGo ? outcome.answer.exit_code : kUndecided;
+  const int exit_code = outcome.footer.answer.exit_code;
+  return is_checked || exit_code == kNoGo ? exit_code : kUndecided;
 }
 
 }  // namespace
@@ -96,7 +91,7 @@ void add_merge(Command& program) {
   Command command = program.add_command("merge", "Put the results of the shards of a run together");
   command.arguments("results", options->results,
                     "results.jsonl of each shard, or the folders that they are in");
-  command.needed_option("--out", options->out, "file, or folder for results.jsonl");
+  command.needed("--out", options->out, "file, or folder for results.jsonl");
   command.flag("--partial", options->partial,
                "write what is there when shards are missing: an incomplete file");
   command.option("--corpus", *corpus, "folder of the corpus of the run (the checked-in one)");

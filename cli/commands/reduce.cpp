@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
 #include "cli/trial_options.hpp"
@@ -74,7 +73,7 @@ void add_reduce(Command& program) {
   auto words = std::make_shared<ReduceWords>();
   Command command = program.add_command(
       "reduce", "The smallest program on which a subject departs in the same way");
-  command.argument("program", words->program, "NC program, or - for standard input");
+  command.needed("program", words->program, "NC program, or - for standard input");
   add_trial_options(command, words->trial);
   add_profile_options(command, words->profile);
   command.run([words] { return reduce(*words); });

@@ -7,12 +7,10 @@
 #include <optional>
 
 #include "cli/commands.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
 #include "cli/pdf.hpp"
 #include "cli/program_file.hpp"
-#include "cli/results_file.hpp"
 #include "publish/evidence/certificate.hpp"
 #include "publish/evidence/evidence.hpp"
 
@@ -72,7 +70,7 @@ void add_report(Command& program) {
   oracle::evidence::CertificateSources& sources = options->sources;
   Command command =
       program.add_command("report", "Write the report folder or the certificate of a results file");
-  command.argument("results", sources.results, "results.jsonl of a run, or its folder");
+  command.needed("results", sources.results, "results.jsonl of a run, or its folder");
   command.option("--out", options->out,
                  "folder for HTML, JUnit, SARIF, badge, summary and programs (report)");
   command.option("--pdf", options->pdf,

@@ -7,10 +7,9 @@
 
 #include <filesystem>
 
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/output.hpp"
 #include "campaign/case_judge.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
 #include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
@@ -35,27 +34,21 @@ struct SubjectVerdicts {
   std::array<std::optional<VerdictKind>, 3> expected;
 };
 
-const std::vector<SubjectVerdicts>& trials() {
-  static const std::vector<SubjectVerdicts> kTrials = {
-      {"reference",
-       {VerdictKind::pass_exact, VerdictKind::pass_properties, VerdictKind::pass_exact}},
-      {"empty",
-       {VerdictKind::fail_geometry, VerdictKind::fail_geometry, VerdictKind::fail_geometry}},
-      {"always-alarm",
-       {VerdictKind::fail_alarm_spurious, VerdictKind::fail_alarm_spurious,
-        VerdictKind::fail_alarm_spurious}},
-      {"crash", {VerdictKind::crash, VerdictKind::crash, VerdictKind::crash}},
-      {"half-line", {VerdictKind::crash, VerdictKind::crash, VerdictKind::crash}},
-      {"garbage", {VerdictKind::protocol, VerdictKind::protocol, VerdictKind::protocol}},
-      {"wrong-seq", {VerdictKind::protocol, VerdictKind::protocol, VerdictKind::protocol}},
-      {"flood",
-       {VerdictKind::fail_geometry, VerdictKind::fail_geometry, VerdictKind::fail_geometry}},
-      {"hang", {VerdictKind::timeout, std::nullopt, std::nullopt}},
-      {"late", {VerdictKind::timeout, std::nullopt, std::nullopt}},
-      {"leak", {VerdictKind::pass_exact, VerdictKind::state_leak, std::nullopt}},
-  };
-  return kTrials;
-}
+constexpr auto kTrials = std::to_array<SubjectVerdicts>({
+    {"reference", {VerdictKind::pass_exact, VerdictKind::pass_properties, VerdictKind::pass_exact}},
+    {"empty", {VerdictKind::fail_geometry, VerdictKind::fail_geometry, VerdictKind::fail_geometry}},
+    {"always-alarm",
+     {VerdictKind::fail_alarm_spurious, VerdictKind::fail_alarm_spurious,
+      VerdictKind::fail_alarm_spurious}},
+    {"crash", {VerdictKind::crash, VerdictKind::crash, VerdictKind::crash}},
+    {"half-line", {VerdictKind::crash, VerdictKind::crash, VerdictKind::crash}},
+    {"garbage", {VerdictKind::protocol, VerdictKind::protocol, VerdictKind::protocol}},
+    {"wrong-seq", {VerdictKind::protocol, VerdictKind::protocol, VerdictKind::protocol}},
+    {"flood", {VerdictKind::fail_geometry, VerdictKind::fail_geometry, VerdictKind::fail_geometry}},
+    {"hang", {VerdictKind::timeout, std::nullopt, std::nullopt}},
+    {"late", {VerdictKind::timeout, std::nullopt, std::nullopt}},
+    {"leak", {VerdictKind::pass_exact, VerdictKind::state_leak, std::nullopt}},
+});
 
 oracle::Case make_case(const SelftestProgram& program) {
   oracle::Case test;
@@ -71,7 +64,7 @@ int selftest() {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
   Output output;
   std::size_t wrong = 0;
-  for (const SubjectVerdicts& trial : trials()) {
+  for (const SubjectVerdicts& trial : kTrials) {
     const oracle::SubjectMaker maker = [&] {
       return oracle::make_pipe_subject(
           fmt::format("exec {} misbehave {}", oracle::shell_quoted(self), trial.subject),

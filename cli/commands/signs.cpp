@@ -4,11 +4,8 @@
 // hunt comes to: clause by sign by dialect.
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "cli/commands.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/subjects.hpp"

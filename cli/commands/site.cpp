@@ -5,12 +5,11 @@
 
 #include <filesystem>
 
+#include "campaign/results_reader.hpp"
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "cli/results_file.hpp"
-#include "campaign/results_reader.hpp"
 #include "publish/site/site.hpp"
 
 namespace gonogo::cli {
@@ -21,11 +20,8 @@ using oracle::site::Source;
 
 struct SiteWords {
   std::vector<std::string> results;
-  std::string out;
-  std::string title = "Implementations under the gauge";
   bool without_reports = false;
-  bool partial = false;
-  bool mixed_corpus = false;
+  oracle::site::SiteOptions options;
 };
 
 // A path, or NAME=PATH, or NAME@VERSION=PATH; what exists as a path is taken as one.
@@ -61,13 +57,10 @@ void refuse_named_twice(const std::vector<Source>& sources) {
 }
 
 int site(const SiteWords& words) {
-  oracle::site::SiteOptions options;
+  oracle::site::SiteOptions options = words.options;
   for (const std::string& word : words.results) options.sources.push_back(source_of(word));
   refuse_named_twice(options.sources);
-  options.out = words.out;
-  options.title = words.title;
   options.reports = !words.without_reports;
-  options.gather = {words.partial, words.mixed_corpus};
   oracle::site::Gathered gathered;
   try {
     gathered = oracle::site::write_site(options);
@@ -78,7 +71,7 @@ int site(const SiteWords& words) {
   }
   for (const std::string& note : gathered.notes) complain("gonogo: {}\n", note);
   Output output;
-  output.text() = fmt::format("{}/index.html\n", words.out);
+  output.text() = fmt::format("{}/index.html\n", options.out);
   output.flush();
   return kGo;
 }
@@ -87,18 +80,22 @@ int site(const SiteWords& words) {
 
 void add_site(Command& program) {
   auto words = std::make_shared<SiteWords>();
+  oracle::site::SiteOptions& options = words->options;
+  options.title = "Implementations under the gauge";
   Command command = program.add_command(
       "site", "Write one static site of many results: implementations and versions side by side");
   command.arguments(
       "results", words->results,
       "results.jsonl of each run, or its folder; NAME=RESULTS or NAME@VERSION=RESULTS "
       "gives it another name");
-  command.needed_option("--out", words->out, "folder for the site");
-  command.option("--title", words->title, "heading of its pages (Implementations under the gauge)");
+  command.needed("--out", options.out, "folder for the site");
+  command.option("--title", options.title,
+                 "heading of its pages (Implementations under the gauge)");
   command.flag("--without-reports", words->without_reports,
                "leave out the report of each run, to which cases are linked");
-  command.flag("--partial", words->partial, "take results without a footer: incomplete runs");
-  command.flag("--mixed-corpus", words->mixed_corpus,
+  command.flag("--partial", options.gather.partial,
+               "take results without a footer: incomplete runs");
+  command.flag("--mixed-corpus", options.gather.mixed_corpus,
                "take results of several corpora: cases of the same id are compared");
   command.run([words] { return site(*words); });
 }

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "oracle/records/features.hpp"
@@ -245,13 +244,8 @@ bool concerns(const reference::Dialect& dialect, std::string_view about) {
 
 int spec(const SpecOptions& options) {
   Output output;
-  if (options.alarms) {
-    append_alarm_classes(output.text());
-    output.flush();
-    return kGo;
-  }
-  if (options.features) {
-    append_features(output.text());
+  if (options.alarms || options.features) {
+    (options.alarms ? append_alarm_classes : append_features)(output.text());
     output.flush();
     return kGo;
   }

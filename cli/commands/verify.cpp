@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "cli/corpus_folder.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/gauge.hpp"
+#include "cli/named_files.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/run_again.hpp"
@@ -29,18 +29,8 @@ struct VerifyOptions {
   std::string subject;
 };
 
-std::string_view word(Check::Result result) {
-  switch (result) {
-    case Check::Result::holds:
-      return "holds";
-    case Check::Result::fails:
-      return "FAILS";
-    case Check::Result::open:
-      return "not shown";
-    default:
-      return "not checked";
-  }
-}
+// In the order of Check::Result.
+constexpr std::array<std::string_view, 4> kResults = {"holds", "FAILS", "not checked", "not shown"};
 
 int verify(const VerifyOptions& options) {
   if (!fs::exists(fs::path(options.folder) / oracle::evidence::kSums)) {
@@ -64,7 +54,8 @@ int verify(const VerifyOptions& options) {
   }
   Output output;
   for (const Check& check : checks) {
-    output.text() += fmt::format("{:<12} {}\n", word(check.result), check.sentence);
+    output.text() += fmt::format("{:<12} {}\n", kResults[static_cast<std::size_t>(check.result)],
+                                 check.sentence);
   }
   const int exit_code = any(Check::Result::fails)       ? kNoGo
                         : any(Check::Result::unchecked) ? kUndecided
@@ -81,7 +72,7 @@ int verify(const VerifyOptions& options) {
 void add_verify(Command& program) {
   auto options = std::make_shared<VerifyOptions>();
   Command command = program.add_command("verify", "Check a certificate");
-  command.argument("folder", options->folder, "folder of the certificate");
+  command.needed("folder", options->folder, "folder of the certificate");
   command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
   command.option("--subject", options->subject,
                  "run the campaign again with this subject and compare");

@@ -107,11 +107,9 @@ Corpus::Corpus(std::string folder) : folder_(std::move(folder)), files_(vector_f
   sha256_ = hash.hex();
 }
 
-void Corpus::for_each(const std::function<bool(const Case&)>& visit) const {
+void Corpus::for_each(const std::function<void(const Case&)>& visit) const {
   CaseReader reader(*this);
-  while (const std::optional<Case> test = reader.next()) {
-    if (!visit(*test)) return;
-  }
+  while (const std::optional<Case> test = reader.next()) visit(*test);
 }
 
 }  // namespace gonogo::oracle

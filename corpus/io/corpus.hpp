@@ -90,9 +90,9 @@ class Corpus {
   const std::string& version() const { return version_; }
   // SHA-256 over the names and bytes of all vector files, hex.
   const std::string& sha256() const { return sha256_; }
-  // Every case, sorted by id within a file, one file in memory at a time. Returning false stops.
-  // Throws CorpusError, also for an id that stands in two files or is retired.
-  void for_each(const std::function<bool(const Case&)>& visit) const;
+  // Every case, sorted by id within a file, one file in memory at a time. Throws CorpusError, also
+  // for an id that stands in two files or is retired.
+  void for_each(const std::function<void(const Case&)>& visit) const;
   const std::vector<std::string>& files() const { return files_; }
   // The size of each file, in the same order.
   const std::vector<std::uint64_t>& file_bytes() const { return file_bytes_; }

@@ -46,11 +46,7 @@ void write_corpus(const std::string& folder, const CorpusFolder& corpus) {
   for (const auto& [name, cases] : corpus.files) {
     const fs::path file = fs::path(folder) / name;
     write_in_folder(file, vector_file_text(corpus.version, cases));
-    for (const Case& test : read_vector_file(file.string())) {
-      if (auto fault = recheck(test)) {
-        throw CorpusError(fmt::format("{}: {}: {}", file.string(), test.id, *fault));
-      }
-    }
+    recheck_file(file.string());
   }
   write_in_folder(fs::path(folder) / "manifest.json", manifest_text(corpus));
 }

@@ -55,16 +55,21 @@ simdjson::dom::object JsonPlace::object() const {
   return object;
 }
 
-bool JsonPlace::has(std::string_view key) const {
-  return object()[key].error() == simdjson::SUCCESS;
+simdjson::dom::array JsonPlace::array() const {
+  simdjson::dom::array array;
+  if (value_.get_array().get(array) != simdjson::SUCCESS) fail("An array must stand here.");
+  return array;
+}
+
+std::optional<JsonPlace> JsonPlace::find(std::string_view key) const {
+  simdjson::dom::element value;
+  if (object()[key].get(value) != simdjson::SUCCESS) return std::nullopt;
+  return JsonPlace(*this, {key}, value);
 }
 
 JsonPlace JsonPlace::member(std::string_view key) const {
-  simdjson::dom::element value;
-  if (object()[key].get(value) != simdjson::SUCCESS) {
-    fail(fmt::format("The key \"{}\" is missing.", key));
-  }
-  return {*this, {key}, value};
+  if (const auto found = find(key)) return *found;
+  fail(fmt::format("The key \"{}\" is missing.", key));
 }
 
 std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
@@ -76,11 +81,10 @@ std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
 }
 
 std::vector<JsonPlace> JsonPlace::items() const {
-  simdjson::dom::array array;
-  if (value_.get_array().get(array) != simdjson::SUCCESS) fail("An array must stand here.");
+  const simdjson::dom::array all = array();
   std::vector<JsonPlace> list;
-  list.reserve(array.size());
-  for (const simdjson::dom::element item : array) {
+  list.reserve(all.size());
+  for (const simdjson::dom::element item : all) {
     list.push_back({*this, {{}, list.size()}, item});
   }
   return list;
@@ -93,10 +97,8 @@ std::string JsonPlace::text() const {
 }
 
 std::vector<std::string> JsonPlace::texts() const {
-  simdjson::dom::array array;
-  if (value_.get_array().get(array) != simdjson::SUCCESS) fail("An array must stand here.");
   std::vector<std::string> list;
-  for (const simdjson::dom::element item : array) {
+  for (const simdjson::dom::element item : array()) {
     list.push_back(JsonPlace(*this, {{}, list.size()}, item).text());
   }
   return list;

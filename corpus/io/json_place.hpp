@@ -29,7 +29,7 @@ class JsonPlace {
   // The members of an object; every key must be one of `known`.
   void need_object(std::initializer_list<std::string_view> known) const;
   JsonPlace member(std::string_view key) const;  // must be there
-  bool has(std::string_view key) const;
+  std::optional<JsonPlace> find(std::string_view key) const;
   std::vector<std::pair<std::string, JsonPlace>> members() const;
   std::vector<JsonPlace> items() const;  // of an array
 
@@ -50,6 +50,7 @@ class JsonPlace {
   JsonPlace(const JsonPlace& parent, Step step, simdjson::dom::element value);
 
   simdjson::dom::object object() const;
+  simdjson::dom::array array() const;
   std::string pointer() const;
 
   const std::string* file_;

@@ -130,10 +130,7 @@ class Linter {
 
 std::size_t lint(const Corpus& corpus, const LintOptions& options, const Say& say) {
   Linter linter(say);
-  corpus.for_each([&](const Case& test) {
-    linter.take(test);
-    return true;
-  });
+  corpus.for_each([&](const Case& test) { linter.take(test); });
   if (!options.part) {
     linter.finish_triples();
     linter.finish_whole();

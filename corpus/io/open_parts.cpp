@@ -136,19 +136,6 @@ std::string conditions_of(const PocketMilling& pocket) {
       .text();
 }
 
-constexpr std::string_view name_of(const PocketLevel&) {
-  return "pocket-level";
-}
-constexpr std::string_view name_of(const HelixPocket&) {
-  return "helical-pocket";
-}
-constexpr std::string_view name_of(const ThreadMilling&) {
-  return "thread";
-}
-constexpr std::string_view name_of(const PocketMilling&) {
-  return "pocket";
-}
-
 // A record by its text, or a step that stands for any number of records.
 struct Element {
   std::string record;
@@ -160,21 +147,20 @@ std::vector<Element> elements_of(const reference::Profile& profile, std::string_
   grammar::LineSource lines(bytes);
   reference::Expander expander(profile, lines, reference::OpenPaths::judged);
   std::vector<Element> elements;
-  const auto add = [&](const auto& step) {
-    elements.push_back(
-        {{}, OpenPart{0, 0, step.clause, std::string(name_of(step)), conditions_of(step)}});
+  const auto add = [&](const char* name, const auto& step) {
+    elements.push_back({{}, OpenPart{0, 0, step.clause, name, conditions_of(step)}});
   };
   while (const Item* item = expander.next()) {
     if (auto* record = std::get_if<Record>(item)) {
       append_json(*record, elements.emplace_back().record);
     } else if (auto* level = std::get_if<PocketLevel>(item)) {
-      add(*level);
+      add("pocket-level", *level);
     } else if (auto* helix = std::get_if<HelixPocket>(item)) {
-      add(*helix);
+      add("helical-pocket", *helix);
     } else if (auto* thread = std::get_if<ThreadMilling>(item)) {
-      add(*thread);
+      add("thread", *thread);
     } else if (auto* pocket = std::get_if<PocketMilling>(item)) {
-      add(*pocket);
+      add("pocket", *pocket);
     }
   }
   return elements;
@@ -192,15 +178,19 @@ std::vector<OpenPart> open_parts(const reference::Profile& profile, std::string_
   std::vector<OpenPart> parts;
   std::size_t after_step = 0;  // the element behind the last step
   std::size_t next = 0;
+  const auto take_step = [&](std::size_t at) {
+    if (next == elements.size() || !elements[next].step) return false;
+    parts.push_back(std::move(*elements[next].step));
+    parts.back().from = parts.back().to = at;
+    after_step = ++next;
+    return true;
+  };
   std::string text;
   for (std::size_t at = 0; at < records.size();) {
+    if (take_step(at)) continue;
     text.clear();
     append_json(records[at], text);
-    if (next < elements.size() && elements[next].step) {
-      parts.push_back(std::move(*elements[next].step));
-      parts.back().from = parts.back().to = at;
-      after_step = ++next;
-    } else if (next < elements.size() && elements[next].record == text) {
+    if (next < elements.size() && elements[next].record == text) {
       ++next;
       ++at;
     } else if (!parts.empty()) {
@@ -210,11 +200,7 @@ std::vector<OpenPart> open_parts(const reference::Profile& profile, std::string_
       throw CorpusError("The reference says the path in two ways.");
     }
   }
-  if (next < elements.size() && elements[next].step) {
-    parts.push_back(std::move(*elements[next].step));
-    parts.back().from = parts.back().to = records.size();
-    ++next;
-  }
+  take_step(records.size());
   if (next != elements.size()) throw CorpusError("The reference says the path in two ways.");
   return parts;
 }

@@ -45,4 +45,14 @@ std::optional<std::string> recheck(const Case& test) {
   return std::nullopt;
 }
 
+std::size_t recheck_file(const std::string& path) {
+  const std::vector<Case> cases = read_vector_file(path);
+  for (const Case& test : cases) {
+    if (auto fault = recheck(test)) {
+      throw CorpusError(fmt::format("{}: {}: {}", path, test.id, *fault));
+    }
+  }
+  return cases.size();
+}
+
 }  // namespace gonogo::oracle

@@ -12,4 +12,8 @@ namespace gonogo::oracle {
 // when it does, else a sentence.
 std::optional<std::string> recheck(const Case& test);
 
+// The same of all cases of a vector file. Throws CorpusError for the first that differs; returns
+// the number of cases.
+std::size_t recheck_file(const std::string& path);
+
 }  // namespace gonogo::oracle

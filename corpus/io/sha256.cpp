@@ -11,6 +11,11 @@ void Sha256::update(std::string_view bytes) {
   sha256_update(&context_, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
 }
 
+void Sha256::update_line(std::string_view line) {
+  update(line);
+  update("\n");
+}
+
 std::array<std::uint8_t, SHA256_DIGEST_SIZE> Sha256::digest() {
   std::array<std::uint8_t, SHA256_DIGEST_SIZE> bytes{};
   sha256_digest(&context_, bytes.size(), bytes.data());

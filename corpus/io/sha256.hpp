@@ -15,6 +15,8 @@ class Sha256 {
  public:
   Sha256();
   void update(std::string_view bytes);
+  // The bytes and a line end.
+  void update_line(std::string_view line);
   // The 32 bytes; the object starts anew.
   std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest();
   // The same as 64 lower-case hexadecimal digits.

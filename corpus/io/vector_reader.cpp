@@ -7,8 +7,8 @@
 #include "corpus/io/corpus.hpp"
 #include "corpus/io/files.hpp"
 #include "corpus/io/json_place.hpp"
-#include "oracle/records/base64.hpp"
 #include "oracle/records/json_document.hpp"
+#include "oracle/records/text.hpp"
 #include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::oracle {
@@ -32,6 +32,11 @@ reference::ClauseId clause_id(const JsonPlace& place) {
   const auto found = std::ranges::find(known, name, &reference::Clause::id);
   if (found == known.end()) place.fail(fmt::format("There is no clause {}.", name));
   return static_cast<reference::ClauseId>(found - known.begin());
+}
+
+bool flag_at(const JsonPlace& place, std::string_view key) {
+  const auto value = place.find(key);
+  return value && value->flag();
 }
 
 class FileReader {
@@ -113,7 +118,7 @@ void FileReader::read_case(const JsonPlace& place, const Case& head) {
 
 reference::Profile FileReader::profile_of(const JsonPlace& place,
                                           const std::string& dialect) const {
-  if (place.has("dialect")) place.member("dialect").fail("The dialect is that of the file.");
+  if (const auto own = place.find("dialect")) own->fail("The dialect is that of the file.");
   std::string keys = place.json();
   const bool empty = keys.find_first_not_of("{} ") == std::string::npos;
   keys.insert(1, fmt::format("\"dialect\":\"{}\"{}", dialect, empty ? "" : ","));
@@ -135,41 +140,39 @@ Expectation FileReader::expectation_of(const JsonPlace& place, const Case& test)
   place.need_object({"when", "basis", "records", "open", "alarm", "not_covered", "others"});
   Expectation expectation;
   if (detail_ == Detail::to_run) {
-    if (place.has("not_covered")) expectation.not_covered = place.member("not_covered").flag();
+    expectation.not_covered = flag_at(place, "not_covered");
     return expectation;
   }
-  if (place.has("when")) {
+  if (const auto when = place.find("when")) {
     reference::Profile profile = test.profile;
-    for (const auto& [reading, value] : place.member("when").members()) {
+    for (const auto& [reading, value] : when->members()) {
       if (auto error = reference::set_reading(profile, reading, value.text())) {
         value.fail(error->message);
       }
       expectation.when.emplace_back(reading, value.text());
     }
   }
-  if (place.has("basis")) {
-    const JsonPlace basis = place.member("basis");
-    expectation.basis = reference::basis(basis.text());
-    if (!expectation.basis) basis.fail(fmt::format("There is no basis {}.", basis.text()));
+  if (const auto basis = place.find("basis")) {
+    expectation.basis = reference::basis(basis->text());
+    if (!expectation.basis) basis->fail(fmt::format("There is no basis {}.", basis->text()));
   }
   for (const JsonPlace& record : place.member("records").items()) {
     expectation.records.push_back(record_of(record));
   }
-  if (place.has("open")) {
-    for (const JsonPlace& item : place.member("open").items()) {
+  if (const auto open = place.find("open")) {
+    for (const JsonPlace& item : open->items()) {
       expectation.open.push_back(open_part_of(item, expectation));
     }
   }
-  if (place.has("alarm")) {
-    const JsonPlace alarm = place.member("alarm");
-    alarm.need_object({"any_of"});
-    for (const JsonPlace& item : alarm.member("any_of").items()) {
+  if (const auto alarm = place.find("alarm")) {
+    alarm->need_object({"any_of"});
+    for (const JsonPlace& item : alarm->member("any_of").items()) {
       expectation.alarms.push_back(alarm_of(item));
     }
-    if (expectation.alarms.empty()) alarm.fail("At least one alarm must be admissible.");
+    if (expectation.alarms.empty()) alarm->fail("At least one alarm must be admissible.");
   }
-  if (place.has("not_covered")) expectation.not_covered = place.member("not_covered").flag();
-  if (place.has("others")) expectation.has_others = place.member("others").flag();
+  expectation.not_covered = flag_at(place, "not_covered");
+  expectation.has_others = flag_at(place, "others");
   const bool ends =
       !expectation.records.empty() && expectation.records.back().kind == reference::RecordKind::end;
   const int endings =
@@ -188,7 +191,7 @@ Record FileReader::record_of(const JsonPlace& place) {
   if (record->block == 0 && record->kind != reference::RecordKind::end) {
     place.fail("A record of the corpus carries b, its source line.");
   }
-  if (place.has("clause")) record->clause = clause_id(place.member("clause"));
+  if (const auto clause = place.find("clause")) record->clause = clause_id(*clause);
   return std::move(*record);
 }
 
@@ -216,10 +219,10 @@ ExpectedAlarm FileReader::alarm_of(const JsonPlace& place) const {
   const std::int64_t block = place.member("b").integer();
   if (block < 1) place.member("b").fail("Source lines count from 1.");
   alarm.block = static_cast<std::uint64_t>(block);
-  if (place.has("word")) {
-    const std::string word = place.member("word").text();
+  if (const auto named = place.find("word")) {
+    const std::string word = named->text();
     if (word.empty() || word.size() > 7) {
-      place.member("word").fail("A word is named by its address: X, CR, R101.");
+      named->fail("A word is named by its address: X, CR, R101.");
     }
     alarm.word = reference::WordName(word);
   }

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corpus/recipes/build.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <fstream>
 
-#include "corpus/recipes/corpus_text.hpp"
 #include "corpus/io/recheck.hpp"
+#include "corpus/recipes/corpus_text.hpp"
 
 namespace gonogo::recipes {
 namespace {
 
 namespace fs = std::filesystem;
-using oracle::CorpusError;
 
 // The number of cases; the manifest has none.
 std::size_t replace(const fs::path& file, const std::string& text) {
@@ -22,23 +19,14 @@ std::size_t replace(const fs::path& file, const std::string& text) {
   std::ofstream out(fresh, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw CorpusError(fresh.string() + " cannot be written.");
-  const std::size_t cases = file.filename() == "manifest.json" ? 0 : recheck(fresh.string());
+  if (!out) throw oracle::CorpusError(fresh.string() + " cannot be written.");
+  const bool has_cases = file.filename() != "manifest.json";
+  const std::size_t cases = has_cases ? oracle::recheck_file(fresh.string()) : 0;
   fs::rename(fresh, file);
   return cases;
 }
 
 }  // namespace
-
-std::size_t recheck(const std::string& path) {
-  const std::vector<oracle::Case> cases = oracle::read_vector_file(path);
-  for (const oracle::Case& test : cases) {
-    if (auto fault = oracle::recheck(test)) {
-      throw CorpusError(fmt::format("{}: {}: {}", path, test.id, *fault));
-    }
-  }
-  return cases.size();
-}
 
 BuiltCorpus build_corpus(const std::string& recipes, const std::string& folder) {
   const CorpusText corpus = corpus_from_recipes(recipes);

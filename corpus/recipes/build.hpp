@@ -18,8 +18,4 @@ struct BuiltCorpus {
 // recipe gives goes. Throws oracle::CorpusError: the recipe, the case and what is wrong.
 BuiltCorpus build_corpus(const std::string& recipes, const std::string& folder);
 
-// Checks the cases of a vector file against the reference, expectation by expectation. Throws
-// oracle::CorpusError for the first that differs. Returns the number of cases.
-std::size_t recheck(const std::string& path);
-
 }  // namespace gonogo::recipes

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "corpus/io/toml_file.hpp"
-#include "oracle/records/base64.hpp"
 #include "fuzz/program/features.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::recipes {
 

@@ -45,37 +45,18 @@ inline constexpr std::size_t kAlarmKinds = static_cast<std::size_t>(AlarmKind::k
 
 /// The class that the gauge knows the alarm by.
 constexpr std::string_view class_of(AlarmKind kind) {
-  constexpr std::array<std::string_view, kAlarmKinds> kClasses{"syntax",
-                                                               "undefined-code",
-                                                               "duplicate-word",
-                                                               "conflicting-words",
-                                                               "missing-word",
-                                                               "value-out-of-range",
-                                                               "value-sign",
-                                                               "not-an-integer",
-                                                               "axis-not-in-plane",
-                                                               "plane-not-allowed",
-                                                               "arc-end-point",
-                                                               "arc-intermediate-point",
-                                                               "arc-tangent",
-                                                               "arc-radius",
-                                                               "feed-missing",
-                                                               "lead-missing",
-                                                               "spindle-stopped",
-                                                               "direction-conflict",
-                                                               "taper-limit",
-                                                               "tool-too-large",
-                                                               "step-too-large",
-                                                               "depth-exceeds-tool",
-                                                               "retract-pair",
-                                                               "retract-ratio",
-                                                               "no-tool",
-                                                               "reference-plane",
-                                                               "machining-type",
-                                                               "direction-parameter",
-                                                               "allowance-too-large",
-                                                               "pocket-size"};
-  return kClasses[static_cast<std::size_t>(kind)];
+  // In the order of AlarmKind.
+  std::string_view classes =
+      "syntax undefined-code duplicate-word conflicting-words missing-word value-out-of-range "
+      "value-sign not-an-integer axis-not-in-plane plane-not-allowed arc-end-point "
+      "arc-intermediate-point arc-tangent arc-radius feed-missing lead-missing spindle-stopped "
+      "direction-conflict taper-limit tool-too-large step-too-large depth-exceeds-tool "
+      "retract-pair retract-ratio no-tool reference-plane machining-type direction-parameter "
+      "allowance-too-large pocket-size";
+  for (auto before = static_cast<std::size_t>(kind); before > 0; --before) {
+    classes.remove_prefix(classes.find(' ') + 1);
+  }
+  return classes.substr(0, classes.find(' '));
 }
 
 /// A maker's own numbers, in the order of AlarmKind; "": it has no such alarm.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "expanders/common/fixed.hpp"
@@ -29,6 +30,12 @@ struct Code {
   GroupNumber group = 0;
   Support support = Support::kFull;
 };
+
+/// The G or M code of this number, for a message: "G7.1".
+inline std::string code_name(char letter, Fixed tenths) {
+  const std::string name = letter + std::to_string(tenths / 10);
+  return tenths % 10 == 0 ? name : name + '.' + std::to_string(tenths % 10);
+}
 
 /// Codes of one group: "54 55 59.3".
 struct CodeRow {

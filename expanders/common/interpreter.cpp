@@ -98,11 +98,6 @@ Flow LetterInterpreter::run_function(bool before) {
   return ends_program(m) ? Flow::kEnd : Flow::kContinue;
 }
 
-std::string code_name(char letter, Fixed tenths) {
-  std::string name = letter + std::to_string(tenths / 10);
-  return tenths % 10 == 0 ? name : name + '.' + std::to_string(tenths % 10);
-}
-
 char stray_word(const LetterBlock& block, AddressSet known, AddressSet anywhere) {
   for (char address = 'A'; address <= 'Z'; ++address) {
     if (block.has(address) && !known.has(address) && !anywhere.has(address)) return address;

@@ -80,9 +80,6 @@ class LetterInterpreter : public Interpreter {
   bool any_block_ = false;
 };
 
-/// The G or M code of this number, for a message: "G7.1".
-std::string code_name(char letter, Fixed tenths);
-
 /// Letter of the first of the block's words that are in neither set; 0: none.
 char stray_word(const LetterBlock& block, AddressSet known, AddressSet anywhere);
 

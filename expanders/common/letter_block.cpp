@@ -1,19 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expanders/common/letter_block.hpp"
 
-#include <algorithm>
-
 namespace gonogo::expanders {
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
-bool same_letters(std::string_view text, std::string_view capitals) {
-  return std::equal(text.begin(), text.end(), capitals.begin(), capitals.end(),
-                    [](char a, char b) { return a == b || a == b - 'A' + 'a'; });
-}
 
 // The construct of the macro language at the start of `rest`; empty: none.
 std::string_view macro_at(std::string_view rest, std::span<const std::string_view> words) {
@@ -34,18 +23,9 @@ std::string_view macro_at(std::string_view rest, std::span<const std::string_vie
 
 }  // namespace
 
-void LetterBlock::clear() {
-  words_ = AddressSet{};
-  codes_.fill(nullptr);
-  any_code_ = begins_program_ = unknown_code_ = false;
-  outside_ = nullptr;
-  duplicate_ = last_address_ = 0;
-  duplicate_position_ = kNowhere;
-  macro_ = {};
-}
-
 LetterBlock::Reading LetterBlock::read(std::string_view line, const Manner& manner) {
   clear();
+  begins_program_ = false;
   return line.size() > kLongestLine ? Reading::kSyntax : read_words(line, manner);
 }
 
@@ -89,32 +69,16 @@ LetterBlock::Reading LetterBlock::read_words(std::string_view line, const Manner
 
 void LetterBlock::take(const Word& word, Position position, const Manner& manner) {
   if (word.address == 'G') return take_code(word.number, position, manner);
-  if (words_.has(word.address) && !manner.later_wins) {
-    return note_duplicate(word.address, position);
-  }
-  words_.add(word.address);
-  numbers_[index_of(word.address)] = word.number;
-  positions_[index_of(word.address)] = position;
+  if (has(word.address) && !manner.later_wins) return note_duplicate(word.address, position);
+  put(word, position);
 }
 
 void LetterBlock::take_code(const Decimal& number, Position position, const Manner& manner) {
-  any_code_ = true;
   const Code* code = manner.codes.find(number);
-  if (code == nullptr) {
-    unknown_code_ = true;
-    return;
-  }
-  if (code->support == Support::kOutside && outside_ == nullptr) outside_ = code;
-  if (code->group == manner.free_group) return;
+  if (!note_code(code) || code->group == manner.free_group) return;
   if (codes_[code->group] != nullptr && !manner.later_wins) return note_duplicate('G', position);
   codes_[code->group] = code;
   code_positions_[code->group] = position;
-}
-
-void LetterBlock::note_duplicate(char address, Position position) {
-  if (duplicate_ != 0) return;
-  duplicate_ = address;
-  duplicate_position_ = position;
 }
 
 }  // namespace gonogo::expanders

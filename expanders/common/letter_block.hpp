@@ -3,18 +3,14 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <string_view>
 
-#include "expanders/common/address_set.hpp"
-#include "expanders/common/codes.hpp"
-#include "expanders/common/complaints.hpp"
-#include "expanders/common/tokenizer.hpp"
+#include "expanders/common/word_block.hpp"
 
 namespace gonogo::expanders {
 
-/// One block of letters and numbers, its words sorted by address. Reading it allocates nothing.
-class LetterBlock {
+/// One block of letters and numbers. Reading it allocates nothing.
+class LetterBlock : public WordBlock {
  public:
   enum class Reading {
     kWords,     // may be without any word
@@ -37,22 +33,9 @@ class LetterBlock {
 
   Reading read(std::string_view line, const Manner& manner);
 
-  bool has(char address) const { return words_.has(address); }
-  bool has_any(AddressSet addresses) const { return words_.any_of(addresses); }
-  /// For a word that is there.
-  const Decimal& number(char address) const { return numbers_[index_of(address)]; }
-  Position position(char address) const {
-    return has(address) ? positions_[index_of(address)] : kNowhere;
-  }
   /// Whether the block has `address` with a number that is not whole.
   bool has_fraction(char address) const {
     return has(address) && (number(address).finer || number(address).value % kOne != 0);
-  }
-  /// Addresses of the words; N, O and G are not among them.
-  AddressSet words() const { return words_; }
-  template <typename Group>
-  const Code* code(Group group) const {
-    return codes_[static_cast<std::size_t>(group)];
   }
   /// Whether the code of the group is G`number`.
   template <typename Group>
@@ -63,44 +46,17 @@ class LetterBlock {
   Position code_position(Group group) const {
     return code_positions_[static_cast<std::size_t>(group)];
   }
-  bool empty() const { return words_.empty() && !any_code_; }
+  bool empty() const { return words().empty() && !any_code_; }
   /// Whether the number of a program stands at its head.
   bool begins_program() const { return begins_program_; }
 
-  /// The first code that is not implemented; null: none.
-  const Code* outside() const { return outside_; }
-  /// Whether a G code is unknown.
-  bool unknown_code() const { return unknown_code_; }
-  /// Address of the first word or code (G) that stands twice; 0: none.
-  char duplicate() const { return duplicate_; }
-  /// Where it stands the second time.
-  Position duplicate_position() const { return duplicate_position_; }
-  /// What of the macro language was met.
-  std::string_view macro() const { return macro_; }
-  /// Address of the word at which a syntax error was met; 0: before the first.
-  char last_address() const { return last_address_; }
-
  private:
-  static std::size_t index_of(char address) { return static_cast<std::size_t>(address - 'A'); }
-  void clear();
   Reading read_words(std::string_view line, const Manner& manner);
   void take(const Word& word, Position position, const Manner& manner);
   void take_code(const Decimal& number, Position position, const Manner& manner);
-  void note_duplicate(char address, Position position);
 
-  AddressSet words_;
-  std::array<Decimal, 26> numbers_;  // valid where words_ has the address
-  std::array<Position, 26> positions_{};
-  std::array<const Code*, kMostGroups> codes_{};
   std::array<Position, kMostGroups> code_positions_{};
-  bool any_code_ = false;
   bool begins_program_ = false;
-  bool unknown_code_ = false;
-  const Code* outside_ = nullptr;
-  char duplicate_ = 0;
-  Position duplicate_position_ = kNowhere;
-  char last_address_ = 0;
-  std::string_view macro_;
 };
 
 }  // namespace gonogo::expanders

@@ -24,6 +24,31 @@ std::string number_of(const Json& json) {
   return text;
 }
 
+// A decimal with an optional exponent; nothing else can be a machine parameter, and nothing that
+// is finer than a count.
+std::optional<Fixed> fixed_of(const std::string& text) {
+  const char* cursor = text.data();
+  const char* end = cursor + text.size();
+  Decimal number;
+  if (!read_decimal(cursor, end, number) || number.overflow) return std::nullopt;
+  Wide value = number.value;
+  if (cursor != end && (*cursor == 'e' || *cursor == 'E')) {
+    ++cursor;
+    if (cursor != end && *cursor == '+') ++cursor;
+    int exponent = 0;
+    const auto [stop, error] = std::from_chars(cursor, end, exponent);
+    if (error != std::errc{} || exponent < -18 || exponent > 18) return std::nullopt;
+    cursor = stop;
+    for (; exponent > 0; --exponent) value *= 10;
+    for (; exponent < 0; ++exponent) {
+      if (value % 10 != 0) return std::nullopt;
+      value /= 10;
+    }
+  }
+  if (cursor != end || number.finer || !fits(value)) return std::nullopt;
+  return static_cast<Fixed>(value);
+}
+
 // Every function returns false, and has then put a message, when a value is not implemented.
 class Reader {
  public:
@@ -120,6 +145,7 @@ class Reader {
     if (key == "spindle") {
       const int number = place_in("0|1|2|3|4|5", number_of(value));
       profile_.spindle_turns = number == 3 || number == 4;
+      profile_.spindle = profile_.spindle_turns ? number : 5;
       return number >= 0 || refuse(key, value);
     }
     return axis(key, value, profile_.position);
@@ -213,29 +239,6 @@ const ProfileTable& table_for(const Json& json, std::span<const ProfileTable> ta
 }
 
 }  // namespace
-
-std::optional<Fixed> fixed_of(const std::string& text) {
-  const char* cursor = text.data();
-  const char* end = cursor + text.size();
-  Decimal number;
-  if (!read_decimal(cursor, end, number) || number.overflow) return std::nullopt;
-  Wide value = number.value;
-  if (cursor != end && (*cursor == 'e' || *cursor == 'E')) {
-    ++cursor;
-    if (cursor != end && *cursor == '+') ++cursor;
-    int exponent = 0;
-    const auto [stop, error] = std::from_chars(cursor, end, exponent);
-    if (error != std::errc{} || exponent < -18 || exponent > 18) return std::nullopt;
-    cursor = stop;
-    for (; exponent > 0; --exponent) value *= 10;
-    for (; exponent < 0; ++exponent) {
-      if (value % 10 != 0) return std::nullopt;
-      value /= 10;
-    }
-  }
-  if (cursor != end || number.finer || !fits(value)) return std::nullopt;
-  return static_cast<Fixed>(value);
-}
 
 ProfileResult read_profile(std::string_view text, std::span<const ProfileTable> tables,
                            MachineProfile& profile, std::string& message) {

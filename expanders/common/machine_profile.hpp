@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -85,6 +84,7 @@ struct MachineProfile {
   int plane = 17;
   int motion = -1;  ///< number of the G code; below 0: none was said
   bool spindle_turns = false;
+  int spindle = 5;  ///< M3, M4 or M5
 };
 
 /// A machine parameter that is a number.
@@ -105,10 +105,6 @@ struct ProfileTable {
   std::span<const ReadingChoices> readings;
   Fixed reach = kLargest;  ///< no length is larger
 };
-
-/// A decimal with an optional exponent; nothing else can be a machine parameter, and nothing that
-/// is finer than a count.
-std::optional<Fixed> fixed_of(const std::string& text);
 
 enum class ProfileResult { kRead, kUnsupported, kMalformed };
 

@@ -10,27 +10,21 @@
 #include <string_view>
 #include <utility>
 
+#include "expanders/common/machine_profile.hpp"
 #include "expanders/common/planted.hpp"
-#include "expanders/common/profile_reader.hpp"
 #include "expanders/faults.hpp"
 #include "gonogo/subject.h"
 
 namespace gonogo::expanders {
 
-/// What `Maker` gives:
-///   Configuration, Fault (an enumeration from 0, no fault, without gaps), kFaults (without 0),
-///   kDescription (the reply of `describe`),
-///   Memory (what a planted fault may carry from one run to the next),
-///   static ConfigurationResult read(std::string_view json, Configuration&, std::string& message),
-///   static gonogo_answer run(const Configuration&, const gonogo_sink_v1&, Planted<Fault>, Memory&,
-///   std::string_view program).
-template <typename Maker>
+/// What `Interpreter` gives: kFaultCount, kDescription (the reply of `describe`), `static
+/// profiles()`, and Memory (what a planted fault may carry from one run to the next) with
+/// `recall(memory)` and `memory()`.
+template <typename Interpreter>
 class SubjectGlue {
  public:
-  using Fault = typename Maker::Fault;
-
   static const gonogo_subject_v1& subject(Fault fault) {
-    static constexpr auto kSubjects = make_subjects(std::make_index_sequence<Maker::kFaults + 1>{});
+    static constexpr auto kSubjects = make_subjects(std::make_index_sequence<kCount>{});
     return *kSubjects[static_cast<std::size_t>(fault)];
   }
 
@@ -38,11 +32,13 @@ class SubjectGlue {
   static FaultCount count(Fault fault) { return counter(fault).count(); }
 
  private:
+  static constexpr std::size_t kCount = Interpreter::kFaultCount + 1;  // with none
+
   struct Handle {
-    typename Maker::Configuration configuration;
+    MachineProfile profile;
     const gonogo_sink_v1* sink;
     Fault fault;
-    typename Maker::Memory memory{};
+    typename Interpreter::Memory memory{};
   };
 
   static void note(const gonogo_sink_v1& sink, std::string_view message) {
@@ -62,7 +58,9 @@ class SubjectGlue {
     return GONOGO_ERROR;
   }
 
-  static gonogo_text describe() { return {Maker::kDescription.data(), Maker::kDescription.size()}; }
+  static gonogo_text describe() {
+    return {Interpreter::kDescription.data(), Interpreter::kDescription.size()};
+  }
 
   static int create(Fault fault, gonogo_text text, const gonogo_sink_v1* sink, void** handle) {
     if (handle == nullptr) return GONOGO_ERROR;
@@ -71,11 +69,11 @@ class SubjectGlue {
     return guarded(sink, [&]() -> int {
       auto made = std::make_unique<Handle>(Handle{{}, sink, fault});
       std::string message;
-      const ConfigurationResult result =
-          Maker::read({text.data, text.size}, made->configuration, message);
-      if (result != ConfigurationResult::kRead) {
+      const ProfileResult result =
+          read_profile({text.data, text.size}, Interpreter::profiles(), made->profile, message);
+      if (result != ProfileResult::kRead) {
         note(*sink, message);
-        return result == ConfigurationResult::kMalformed ? GONOGO_ERROR : GONOGO_UNSUPPORTED;
+        return result == ProfileResult::kMalformed ? GONOGO_ERROR : GONOGO_UNSUPPORTED;
       }
       *handle = made.release();
       return GONOGO_OK;
@@ -92,16 +90,17 @@ class SubjectGlue {
     auto& subject = *static_cast<Handle*>(handle);
     return guarded(subject.sink, [&]() -> int {
       Met met;
-      const Planted<Fault> planted(subject.fault, met);
-      const int answer = Maker::run(subject.configuration, *subject.sink, planted, subject.memory,
-                                    {program.data, program.size});
+      Interpreter interpreter(subject.profile, *subject.sink, Planted<Fault>(subject.fault, met));
+      interpreter.recall(subject.memory);
+      const int answer = interpreter.run({program.data, program.size});
+      subject.memory = interpreter.memory();
       if (met.reached != 0) counter(subject.fault).add(met);
       return answer;
     });
   }
 
   static MetCounter& counter(Fault fault) {
-    static std::array<MetCounter, Maker::kFaults + 1> all;
+    static std::array<MetCounter, kCount> all;
     return all[static_cast<std::size_t>(fault)];
   }
 
@@ -123,31 +122,6 @@ class SubjectGlue {
   static constexpr std::array<const gonogo_subject_v1*, sizeof...(kIndex)> make_subjects(
       std::index_sequence<kIndex...>) {
     return {&kSubject<static_cast<Fault>(kIndex)>...};
-  }
-};
-
-/// The maker of an interpreter that gives kFaultCount, kDescription, `static profiles()`, and
-/// Memory with `recall(memory)` and `memory()`.
-template <typename Interpreter>
-struct MakerOf {
-  using Configuration = MachineProfile;
-  using Fault = expanders::Fault;
-  using Memory = typename Interpreter::Memory;
-
-  static constexpr std::size_t kFaults = Interpreter::kFaultCount;
-  static constexpr std::string_view kDescription = Interpreter::kDescription;
-
-  static ProfileResult read(std::string_view json, MachineProfile& profile, std::string& message) {
-    return read_profile(json, Interpreter::profiles(), profile, message);
-  }
-
-  static gonogo_answer run(const MachineProfile& profile, const gonogo_sink_v1& sink,
-                           Planted<Fault> planted, Memory& memory, std::string_view program) {
-    Interpreter interpreter(profile, sink, planted);
-    interpreter.recall(memory);
-    const gonogo_answer answer = interpreter.run(program);
-    memory = interpreter.memory();
-    return answer;
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -31,6 +32,15 @@ class LineReader {
   Counting counting_;
   std::uint64_t number_ = 0;
 };
+
+inline bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+/// Whether the text is the word, in either case.
+inline bool same_letters(std::string_view text, std::string_view capitals) {
+  return std::equal(text.begin(), text.end(), capitals.begin(), capitals.end(),
+                    [](char a, char b) { return a == b || a == b - 'A' + 'a'; });
+}
 
 struct Word {
   char address = 0;  ///< 'A' to 'Z', or one of the further addresses of the dialect

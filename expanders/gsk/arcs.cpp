@@ -24,6 +24,7 @@ void centre_from_r(Machine& machine, const Block& block, const Chord& chord, boo
   const bool long_way = radius < 0 && !machine.has("long-arc-short"_fault);
   switch (centre_from_radius(chord, radius, counterclockwise, long_way, centre)) {
     case CircleDefect::kNoChord:
+      if (machine.follows("gsk.arc.closed=none"_reading)) return;
       return machine.raise(AlarmKind::kArcEndPoint, 'R');
     case CircleDefect::kRadiusTooShort:
       if (!makes_semicircle(machine, chord, radius)) {
@@ -90,6 +91,10 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
   const Fixed p = from[plane.p] + centre.p;
   const Fixed q = from[plane.q] + centre.q;
   if (!fits(p) || !fits(q)) machine.raise(AlarmKind::kValueOutOfRange);
+  if (chord.square() == 0 && centre.square() == 0) {  // reading gsk.arc.closed = none
+    plan = [&machine, to, axes] { return machine.cut(to, axes); };
+    return;
+  }
   plan = [&machine, p, q, rot, to, axes] { return machine.arc(p, q, rot, to, axes); };
 }
 

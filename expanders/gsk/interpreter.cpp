@@ -120,16 +120,33 @@ void Interpreter::take_changes(const Measures& before) {
   if (other_lengths && machine_.follows("gsk.retained=in-plane"_reading)) {
     state.turning.end[state.plane->d] = {};
   }
-  if (state.inch != before.inch && machine_.follows("gsk.retained=number"_reading)) {
-    const auto rescale = [&](Retained& word) {
-      word.value = static_cast<Fixed>(state.inch ? scaled(word.value, 254, 10)
-                                                 : scaled(word.value, 10, 254));
-    };
+  if (state.inch != before.inch) keep_numbers();
+  const bool other_feed = state.per_revolution != before.per_revolution;
+  if (other_feed && machine_.follows("gsk.feed-change=deleted"_reading)) state.feed = 0;
+}
+
+// In other units: what the readings have for numbers.
+void Interpreter::keep_numbers() {
+  State& state = machine_.state;
+  const auto rescale = [&](Retained& word) {
+    word.value =
+        static_cast<Fixed>(state.inch ? scaled(word.value, 254, 10) : scaled(word.value, 10, 254));
+  };
+  if (machine_.follows("gsk.retained=number"_reading)) {
     for (Retained& word : state.turning.end) rescale(word);
     rescale(state.turning.taper);
   }
-  const bool other_feed = state.per_revolution != before.per_revolution;
-  if (other_feed && machine_.follows("gsk.feed-change=deleted"_reading)) state.feed = 0;
+  if (!machine_.follows("gsk.pocket.retained=number"_reading)) return;
+  PocketStore& pocket = state.pocket;
+  for (Retained* word : {&pocket.radius, &pocket.step, &pocket.step_down, &pocket.tool_radius,
+                         &pocket.r_plane, &pocket.clearance}) {
+    rescale(*word);
+  }
+  ThreadWords& thread = state.thread;
+  for (Retained* word : {&thread.lead, &thread.diameter, &thread.height, &thread.tool,
+                         &thread.infeed, &thread.run_out}) {
+    rescale(*word);
+  }
 }
 
 void Interpreter::take_codes() {
@@ -146,7 +163,7 @@ void Interpreter::take_codes() {
   const bool in_cycle = state.cycle != Cycle::kNone || is_turning_cycle(state.motion);
   const bool coded =
       block().code(Group::kMotion) != nullptr || block().code(Group::kCycle) != nullptr;
-  take_cycle_code();
+  take_cycle_code(state.plane != before.plane);
   take_motion_code();
   take_feed(in_cycle && !coded);
   if (!is_once()) return;
@@ -172,7 +189,7 @@ void Interpreter::take_feed(bool repeats_cycle) {
 }
 
 // GSK-MOD-01, GSK-MOD-05, GSK-MOD-06.
-void Interpreter::take_cycle_code() {
+void Interpreter::take_cycle_code(bool other_plane) {
   State& state = machine_.state;
   entering_ = false;
   if (const Code* code = block().code(Group::kCycle)) {
@@ -182,7 +199,7 @@ void Interpreter::take_cycle_code() {
       enter_cycle(static_cast<Cycle>((code->tenths - 1100) / 10 + 1));
     }
   }
-  if (state.cycle != Cycle::kNone && (entering_ || block().code(Group::kPlane) != nullptr)) {
+  if (state.cycle != Cycle::kNone && (entering_ || other_plane)) {
     state.initial_plane = state.position[state.plane->d];
   }
 }

@@ -42,9 +42,11 @@ class Interpreter final : public LetterInterpreter {
     bool per_revolution;
   };
   void take_changes(const Measures& before);
+  void keep_numbers();
   void take_feed(bool repeats_cycle);
   void take_motion_code();
-  void take_cycle_code();
+  /// `other_plane`: than in the block before.
+  void take_cycle_code(bool other_plane);
   void enter_cycle(Cycle cycle);
   void cancel_cycles();
   AddressSet known_words() const;

@@ -19,10 +19,13 @@ void check_positive(Machine& machine, std::initializer_list<GivenWord> words) {
 bool find_centre(Machine& machine, const Block& block, Site& site, Plan& plan) {
   site.centre = commanded_point(machine, block, site.axes);
   if (machine.in_alarm()) return false;
-  // GSK-G110-14: the axis words are not modal; without all three nothing is milled.
+  // GSK-G110-14: the axis words are not modal; without all three nothing is milled, or by the
+  // reading without that of the depth.
   constexpr Axes kLinear = 1u << GONOGO_X | 1u << GONOGO_Y | 1u << GONOGO_Z;
-  const bool complete = (site.axes & kLinear) == kLinear;
   const Plane& plane = machine.plane();
+  const bool mills_here = machine.follows("gsk.missing-axis=current"_reading);
+  const Axes needed = mills_here ? axis_bit(plane.d) : kLinear;
+  const bool complete = (site.axes & needed) == needed;
   site.centre[plane.d] = machine.state.position[plane.d];
   site.axes &= ~axis_bit(plane.d);
   if (machine.has("rounded-centre"_fault)) {

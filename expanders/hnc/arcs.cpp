@@ -6,14 +6,26 @@
 namespace gonogo::expanders::hnc {
 namespace {
 
+// Reading hnc.arc.small-radius: half the chord may be longer than R by the parameter.
+bool makes_semicircle(const Machine& machine, const Chord& chord, Fixed radius) {
+  const Fixed tolerance = machine.profile.parameters[kRadiusTolerance];
+  return tolerance > 0 && machine.follows("hnc.arc.small-radius=semicircle"_reading) &&
+         chord.square() <= 4 * squared(magnitude(radius) + tolerance);
+}
+
 void centre_from_r(Machine& machine, const Block& block, const Chord& chord, bool counterclockwise,
                    Chord& centre) {
   const Fixed radius = length_of(machine, block, 'R');
   switch (centre_from_radius(chord, radius, counterclockwise, radius < 0, centre)) {
     case CircleDefect::kNoChord:
+      if (machine.follows("hnc.arc.closed=none"_reading)) return;
       return machine.complain(AlarmKind::kArcEndPoint, 'R', block);
     case CircleDefect::kRadiusTooShort:
-      return machine.complain(AlarmKind::kArcRadius, 'R', block);
+      if (!makes_semicircle(machine, chord, radius)) {
+        return machine.complain(AlarmKind::kArcRadius, 'R', block);
+      }
+      centre = {chord.p / 2, chord.q / 2};
+      return;
     case CircleDefect::kNone:
       return;
   }
@@ -59,7 +71,7 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
   const Fixed p = from[plane.p] + centre.p;
   const Fixed q = from[plane.q] + centre.q;
   if (!fits(p) || !fits(q)) return machine.complain(AlarmKind::kValueOutOfRange);
-  // Reading hnc.arc.zero-radius = none: a circle of no size.
+  // Readings hnc.arc.zero-radius = none and hnc.arc.closed = none: a circle of no size.
   if (centre.square() == 0 && chord.square() == 0) return;
   plan = [&machine, p, q, rot, to, axes] {
     return machine.tracer.arc(plane_of(18), p, q, rot, to, axes, feed_in_force(machine));

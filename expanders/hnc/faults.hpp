@@ -64,8 +64,6 @@ inline constexpr auto kFaults = std::to_array<FaultDescription>({
     {"threads-out", "G82 leaves C synchronous to the spindle", "HNC-G82-01",
      "motion code not switched back before the retract"},
     {"inch-lead-as-millimetres", "J is taken as millimetres", "HNC-G82-01", "factor 25.4 missing"},
-    {"lead-leaks-into-feed", "the lead of G82 becomes the feed", "HNC-MOD-04",
-     "one cell for both meanings of F"},
     {"feed-serves-as-lead", "G82 without a lead takes the feed in force", "HNC-MOD-04",
      "one cell for both meanings of F"},
     {"taper-leaks-past-rapid", "I of G80 and G82, K of G81 survive G00 and G01", "HNC-MOD-01",

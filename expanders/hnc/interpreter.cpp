@@ -41,7 +41,7 @@ constexpr CodeRow kRows[] = {
     {Group::kRadius, Support::kOutside, "41 42"},
     {Group::kSpindle, Support::kNoEffect, "96 97"},
     {Group::kPathMode, Support::kNoEffect, "61 64"},
-    {Group::kFree, Support::kOutside, "52 53 70 98 99"},
+    {Group::kFree, Support::kOutside, "46 52 53 70 98 99"},
 };
 constexpr CodeTable kCodes{kRows};
 
@@ -174,16 +174,27 @@ void Interpreter::take_modal_codes() {
   }
 }
 
-// An F that was programmed keeps its length or, by reading hnc.feed-units, its number.
+// An F that was programmed keeps its length or, by reading hnc.feed-units, its number; so do the
+// lengths of a cycle by hnc.retained.
 void Interpreter::take_units(bool inch) {
   State& state = machine_.state;
   const bool changes = state.inch != inch;
   state.inch = inch;
-  if (!changes || !state.feed_programmed) return;
-  if (!machine_.follows("hnc.feed-units=number"_reading)) return;
-  for (Fixed* feed : {&state.feed, &state.store.feed}) {
-    *feed = static_cast<Fixed>(inch ? scaled(*feed, 254, 10) : scaled(*feed, 10, 254));
+  if (!changes) return;
+  const auto keep_number = [&](Fixed& length) {
+    length = static_cast<Fixed>(inch ? scaled(length, 254, 10) : scaled(length, 10, 254));
+  };
+  if (machine_.follows("hnc.retained=number"_reading)) {
+    for (CycleStore* store : {&state.store, &state.kept}) {
+      for (Retained* word : {&store->taper, &store->withdrawal, &store->infeed, &store->run_out_z,
+                             &store->run_out_x}) {
+        keep_number(word->value);
+      }
+    }
   }
+  if (!state.feed_programmed || !machine_.follows("hnc.feed-units=number"_reading)) return;
+  keep_number(state.feed);
+  keep_number(state.store.feed);
 }
 
 // HNC-MOD-01: another command forgets the words of the one in force; the same code is none, or as
@@ -248,20 +259,25 @@ void Interpreter::take_lead(char address, bool in_inches) {
   if (!block().has(address)) return;
   const Fixed written = block().number(address).value;
   if (written <= 0) return machine_.complain(AlarmKind::kValueSign, address, block());
-  State& state = machine_.state;
-  state.store.lead = in_inches ? static_cast<Fixed>(scaled(written, 254, 10)) : written;
-  if (machine_.has("lead-leaks-into-feed"_fault)) state.feed = state.store.lead;
+  Fixed& lead = machine_.state.store.lead;
+  lead = in_inches ? static_cast<Fixed>(scaled(written, 254, 10)) : written;
+  if (address == 'F' && machine_.follows("hnc.g32.lead=feed"_reading)) store_feed(written);
 }
 
-// HNC-MOD-04: reading hnc.modal.f decides whether a cycle's feed is the ordinary one.
 void Interpreter::take_feed() {
   if (!block().has('F')) return;
   const Fixed written = block().number('F').value;
   if (written < 0) return machine_.complain(AlarmKind::kValueSign, 'F', block());
+  const bool repeats = block().code(Group::kMotion) == nullptr;
+  const bool in_cycle = is_cycle(machine_.state.motion);
+  if (in_cycle && repeats && machine_.has("cycle-feed-stuck"_fault)) return;
+  store_feed(written);
+}
+
+// HNC-MOD-04: reading hnc.modal.f decides whether a cycle's feed is the ordinary one.
+void Interpreter::store_feed(Fixed written) {
   State& state = machine_.state;
   const bool cycle = is_cycle(state.motion);
-  const bool repeats = block().code(Group::kMotion) == nullptr;
-  if (cycle && repeats && machine_.has("cycle-feed-stuck"_fault)) return;
   state.feed_programmed = true;
   const bool in_inches = state.inch && !machine_.has("inch-feed"_fault);
   const bool own = cycle && machine_.follows("hnc.modal.f=forgotten"_reading);

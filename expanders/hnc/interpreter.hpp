@@ -39,6 +39,7 @@ class Interpreter final : public LetterInterpreter {
   void take_motion();
   void take_speed();
   void take_feed();
+  void store_feed(Fixed written);
   void take_lead(char address, bool in_inches);
   void take_thread_count();
   Motion coming_motion() const;

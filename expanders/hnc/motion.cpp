@@ -54,12 +54,27 @@ void prepare_line(Machine& machine, const Block& block, Plan& plan) {
   };
 }
 
+namespace {
+
+// Reading hnc.g32.lead = feed: F in force, which means as a lead what it would in the block.
+Fixed lead_of_feed(const Machine& machine) {
+  const State& state = machine.state;
+  const bool counts_inches = machine.follows("hnc.lead.unit=units"_reading) ||
+                             machine.follows("hnc.lead.unit=units-tpi"_reading);
+  if (!state.inch || counts_inches) return state.feed;
+  return static_cast<Fixed>(scaled(state.feed, 10, 254));
+}
+
+}  // namespace
+
 // G32: one thread, straight or tapered.
 void prepare_thread(Machine& machine, const Block& block, Plan& plan) {
   Axes axes = 0;
   const Point to = commanded_point(machine, block, axes);
   if (axes == 0) return;
-  const Fixed lead = machine.state.store.lead;
+  Fixed& own = machine.state.store.lead;
+  if (own == 0 && machine.follows("hnc.g32.lead=feed"_reading)) own = lead_of_feed(machine);
+  const Fixed lead = own;
   if (lead == 0) machine.complain(AlarmKind::kLeadMissing);  // HNC-MOD-04
   if (machine.has("thread-lead-forgotten"_fault)) machine.state.store.lead = 0;
   plan = [&machine, to, axes, lead] { return machine.tracer.thread(to, axes, lead); };

@@ -13,6 +13,17 @@ namespace {
 constexpr AddressSet kOffsets{"IJK"};
 constexpr Fixed kSmallestRadius = 1'270'000;  // 0.00127 mm
 
+/// G2 and G3.
+struct Arc {
+  int plane = 17;
+  Point to{};
+  Axes axes = 0;
+  Fixed centre_p = 0;
+  Fixed centre_q = 0;
+  int rot = 0;
+  Feed feed;
+};
+
 /// One arc on its way from the block to the plan.
 struct Sketch {
   const Plane& plane;
@@ -77,7 +88,7 @@ void take_radius(Machine& machine, const Block& block, Sketch& sketch) {
     case CircleDefect::kRadiusTooShort: {
       // Half the chord may be longer by the smallest radius: then the centre lies in its middle.
       const Wide reach = 2 * (static_cast<Wide>(magnitude(radius)) + kSmallestRadius);
-      const bool forgiven = machine.configuration.arc_tolerance == kByLinuxcnc &&
+      const bool forgiven = machine.follows("ngc.arc-tolerance=linuxcnc"_reading) &&
                             sketch.chord.square() <= reach * reach;
       if (!machine.alters("short-radius-forgiven"_fault, forgiven, true)) {
         return machine.complain(AlarmKind::kArcRadius, 'R', block);
@@ -120,7 +131,7 @@ bool check_centre_words(Machine& machine, const Block& block, const Sketch& sket
     return false;
   }
   // Reading ngc.full-circle-words
-  if (machine.configuration.circle_needs_word && !sketch.to_plane_axis) {
+  if (machine.follows("ngc.full-circle-words=needed"_reading) && !sketch.to_plane_axis) {
     machine.complain(AlarmKind::kMissingWord, 'X', kNowhere);
   }
   return true;
@@ -132,11 +143,15 @@ bool check_centre_words(Machine& machine, const Block& block, const Sketch& sket
 RadiusTolerance tolerance_of(const Machine& machine) {
   constexpr Wide kSquareMillimetre = static_cast<Wide>(kOne) * kOne;
   const bool inch = machine.spares("inch-tolerance-millimetres"_fault, machine.state.inch);
-  const Option rule = machine.configuration.arc_tolerance;
-  if (rule == kByNist) return {squared(inch ? 5'080'000 : 2'000'000)};
-  if (rule == kByGrbl) return {squared(500'000'000), squared(5'000'000), true};
-  if (rule == kByPage && inch) return {squared(1'270'000'000), squared(12'700'000)};
-  if (rule == kByPage) return {squared(500'000'000), squared(5'000'000)};
+  if (machine.follows("ngc.arc-tolerance=nist"_reading)) {
+    return {squared(inch ? 5'080'000 : 2'000'000)};
+  }
+  if (machine.follows("ngc.arc-tolerance=grbl"_reading)) {
+    return {squared(500'000'000), squared(5'000'000), true};
+  }
+  if (machine.follows("ngc.arc-tolerance=page"_reading)) {
+    return {squared(inch ? 1'270'000'000 : 500'000'000), squared(inch ? 12'700'000 : 5'000'000)};
+  }
   const Wide always = inch ? kSquareMillimetre * 516'128 / 10'000 : 8 * kSquareMillimetre;
   const Wide relative =
       inch ? kSquareMillimetre * 516'128 / 100'000'000 : kSquareMillimetre * 8 / 10'000;
@@ -164,7 +179,7 @@ void check_radii(Machine& machine, const Block& block, Sketch& sketch) {
   const Wide end_square = end.square();
   const char word = block.has(offset_of(plane.p)) ? offset_of(plane.p) : offset_of(plane.q);
   const Wide smallest = squared(kSmallestRadius);
-  const bool no_circle = machine.configuration.arc_tolerance == kByLinuxcnc
+  const bool no_circle = machine.follows("ngc.arc-tolerance=linuxcnc"_reading)
                              ? start_square < smallest || end_square < smallest
                              : start_square == 0 || end_square == 0;
   if (no_circle) machine.complain(AlarmKind::kArcRadius, word, block);
@@ -263,12 +278,10 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
   if (machine.adds("full-circle-dropped"_fault, chord.square() == 0)) return;
   spoil_helix(machine, sketch);
   if (is_timed) sketch.arc.feed.value = timed(machine, block, sketch);
-  plan.motion = sketch.arc;
-}
-
-bool perform(Machine& machine, const Arc& arc) {
-  return machine.tracer.arc(plane_of(arc.plane), arc.centre_p, arc.centre_q, arc.rot, arc.to,
-                            arc.axes, arc.feed);
+  plan.motion = [&machine, arc = sketch.arc] {
+    return machine.tracer.arc(plane_of(arc.plane), arc.centre_p, arc.centre_q, arc.rot, arc.to,
+                              arc.axes, arc.feed);
+  };
 }
 
 }  // namespace gonogo::expanders::ngc

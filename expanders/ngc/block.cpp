@@ -10,10 +10,6 @@ namespace {
 constexpr std::string_view kFunctions[] = {"ABS", "ACOS", "ASIN", "ATAN",  "COS", "EXISTS", "EXP",
                                            "FIX", "FUP",  "LN",   "ROUND", "SIN", "SQRT",   "TAN"};
 
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
 // NGC-POL-01
 bool is_polar_address(char c) {
   return c == '@' || c == '^';
@@ -21,11 +17,6 @@ bool is_polar_address(char c) {
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
-}
-
-bool same_letters(std::string_view text, std::string_view capitals) {
-  return std::equal(text.begin(), text.end(), capitals.begin(), capitals.end(),
-                    [](char a, char b) { return a == b || a == b - 'A' + 'a'; });
 }
 
 bool is_function(std::string_view rest) {
@@ -101,16 +92,8 @@ bool begins_with_abort(std::string_view comment) {
 }  // namespace
 
 void Block::clear() {
-  words_ = AddressSet{};
+  WordBlock::clear();
   functions_.clear();
-  codes_.fill(nullptr);
-  any_code_ = false;
-  unknown_code_ = false;
-  outside_ = nullptr;
-  duplicate_ = 0;
-  duplicate_position_ = kNowhere;
-  last_address_ = 0;
-  macro_ = {};
   long_number_ = false;
   skipped_ = false;
   twice_polar_ = false;
@@ -205,31 +188,22 @@ bool Block::take_line_number(const Tokenizer& tokens, const Word& word, const Ma
 void Block::take(const Word& word, Position position, const WholeNumbers& whole) {
   if (word.address == 'G') return take_code(whole.tenths(word.number), position);
   if (word.address == 'M') {
-    functions_.push_back({whole.function(word.number), word.number.overflow, position});
+    const std::optional<Fixed> number = whole.function(word.number);
+    functions_.push_back(
+        {number, number ? find_function(*number) : nullptr, word.number.overflow, position});
     return;
   }
-  if (words_.has(word.address) && is_polar_address(word.address)) {
-    twice_polar_ = true;
-    return;
-  }
-  if (words_.has(word.address)) return note_duplicate(word.address, position);
-  words_.add(word.address);
-  numbers_[index_of(word.address)] = word.number;
-  positions_[index_of(word.address)] = position;
+  if (!has(word.address)) return put(word, position);
+  if (!is_polar_address(word.address)) return note_duplicate(word.address, position);
+  twice_polar_ = true;
 }
 
 void Block::take_code(std::optional<Fixed> tenths, Position position) {
-  any_code_ = true;
   const Code* code = tenths ? find_code(*tenths) : nullptr;
-  if (code == nullptr) {
-    unknown_code_ = true;
-    return;
-  }
-  if (code->support == Support::kOutside && outside_ == nullptr) outside_ = code;
-  if (code->group == Group::kMotion) return take_motion(*code, position);
-  const auto group = static_cast<std::size_t>(code->group);
-  if (codes_[group] != nullptr) return note_duplicate('G', position);
-  codes_[group] = code;
+  if (!note_code(code)) return;
+  if (static_cast<Group>(code->group) == Group::kMotion) return take_motion(*code, position);
+  if (codes_[code->group] != nullptr) return note_duplicate('G', position);
+  codes_[code->group] = code;
 }
 
 void Block::take_motion(const Code& code, Position position) {
@@ -251,12 +225,6 @@ void Block::settle_motion(const Manner& manner) {
   if (!forgiven && manner.faults.spares("last-motion-wins"_fault)) {
     note_duplicate('G', found.second);
   }
-}
-
-void Block::note_duplicate(char address, Position position) {
-  if (duplicate_ != 0) return;
-  duplicate_ = address;
-  duplicate_position_ = position;
 }
 
 }  // namespace gonogo::expanders::ngc

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "expanders/common/address_set.hpp"
-#include "expanders/common/complaints.hpp"
-#include "expanders/common/tokenizer.hpp"
+#include "expanders/common/word_block.hpp"
 #include "expanders/ngc/codes.hpp"
 #include "expanders/ngc/whole.hpp"
 
@@ -18,14 +15,14 @@ namespace gonogo::expanders::ngc {
 
 /// An M word.
 struct FunctionWord {
-  std::optional<Fixed> number;  ///< nothing: it is not whole, or too large
+  std::optional<Fixed> number;         ///< nothing: it is not whole, or too large
+  const FunctionKind* kind = nullptr;  ///< null: the control has no such function
   bool too_large = false;
   Position position = 0;
 };
 
-/// One block, its words sorted by address. Reading one allocates nothing but room for M words,
-/// which is kept.
-class Block {
+/// One block. Reading one allocates nothing but room for M words, which is kept.
+class Block : public WordBlock {
  public:
   enum class Reading {
     kWords,     // may be without any word
@@ -48,17 +45,8 @@ class Block {
 
   Reading read(std::string_view line, const Manner& manner);
 
-  bool has(char address) const { return words_.has(address); }
-  bool has_any(AddressSet addresses) const { return words_.any_of(addresses); }
-  const Decimal& number(char address) const { return numbers_[index_of(address)]; }
-  Position position(char address) const {
-    return has(address) ? positions_[index_of(address)] : kNowhere;
-  }
-  /// Addresses of the words; N, G and M are not among them.
-  AddressSet words() const { return words_; }
   /// In the order of the line.
   const std::vector<FunctionWord>& functions() const { return functions_; }
-  const Code* code(Group group) const { return codes_[static_cast<std::size_t>(group)]; }
   bool has_dwell() const {
     const Code* once = code(Group::kOnce);
     return once != nullptr && once->tenths == 40;
@@ -72,7 +60,7 @@ class Block {
     const Code* speed = code(Group::kSpindle);
     if (address == 'D' && speed != nullptr && speed->tenths == 960) return true;
     return std::any_of(functions_.begin(), functions_.end(), [&](const FunctionWord& word) {
-      return word.number && uses_word(*word.number, address);
+      return word.kind != nullptr && word.kind->words.has(address);
     });
   }
   bool has_function(Fixed m) const {
@@ -85,23 +73,9 @@ class Block {
   bool twice_polar() const { return twice_polar_; }
   /// NGC-COM-10: the last comment in brackets is (abort,...).
   bool aborts() const;
-  bool empty() const { return words_.empty() && !any_code_ && functions_.empty(); }
-
-  /// The first code that is not implemented; null: none.
-  const Code* outside() const { return outside_; }
-  /// Whether a G code is unknown.
-  bool unknown_code() const { return unknown_code_; }
-  /// Address of the first word or code (G) that stands twice; 0: none.
-  char duplicate() const { return duplicate_; }
-  /// Where it stands the second time.
-  Position duplicate_position() const { return duplicate_position_; }
-  /// The construct that was met, one byte.
-  std::string_view macro() const { return macro_; }
-  /// Address of the word at which a syntax error was met; 0: before the first.
-  char last_address() const { return last_address_; }
+  bool empty() const { return words().empty() && !any_code_ && functions_.empty(); }
 
  private:
-  static std::size_t index_of(char address) { return static_cast<std::size_t>(address - '@'); }
   void clear();
   Reading unreadable(std::string_view rest);
   Reading read_words(std::string_view line, const Manner& manner);
@@ -110,21 +84,8 @@ class Block {
   void settle_motion(const Manner& manner);
   void take(const Word& word, Position position, const WholeNumbers& whole);
   void take_code(std::optional<Fixed> tenths, Position position);
-  void note_duplicate(char address, Position position);
 
-  AddressSet words_;
-  static constexpr std::size_t kAddresses = '^' - '@' + 1;
-  std::array<Decimal, kAddresses> numbers_;  // valid where words_ has the address
-  std::array<Position, kAddresses> positions_{};
   std::vector<FunctionWord> functions_;
-  std::array<const Code*, kGroups> codes_{};
-  bool any_code_ = false;
-  bool unknown_code_ = false;
-  const Code* outside_ = nullptr;
-  char duplicate_ = 0;
-  Position duplicate_position_ = kNowhere;
-  char last_address_ = 0;
-  std::string_view macro_;
   bool long_number_ = false;
   bool skipped_ = false;
   bool twice_polar_ = false;

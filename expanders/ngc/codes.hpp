@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include "expanders/common/fixed.hpp"
+#include "expanders/common/address_set.hpp"
+#include "expanders/common/codes.hpp"
 
 namespace gonogo::expanders::ngc {
 
 /// Modal groups of G codes, and that of the codes for one block: at most one of each in a block.
-enum class Group : std::uint8_t {
+enum class Group : GroupNumber {
   kMotion,
   kOnce,         // G4, G10, G28, ...
   kPlane,        // G17 to G19
@@ -26,46 +24,33 @@ enum class Group : std::uint8_t {
   kScale,        // G50, G51
   kLathe         // G7, G8
 };
-inline constexpr std::size_t kGroups = 15;
-
-enum class Support : std::uint8_t {
-  kFull,
-  kNoEffect,  // accepted, changes no path
-  kOutside    // known, not implemented here
-};
-
-/// A code that the control has.
-struct Code {
-  std::uint16_t tenths;  ///< number of the G code in tenths: 911 is G91.1
-  Group group;
-  Support support;
-};
 
 /// Null: the control has no such code. `tenths` is ten times the value of the G word.
 const Code* find_code(Fixed tenths);
 
-enum class Function : std::uint8_t { kKnown, kOutside, kUnknown };
-
-/// What the number of an M word stands for; `m` is whole.
-Function find_function(Fixed m);
-
 /// Modal groups of M functions, in the order in which those of a block run.
 enum class FunctionGroup : std::uint8_t {
-  kSignal,    // M62 to M68
-  kTool,      // M6 M61
-  kSpindle,   // M3 M4 M5
-  kModes,     // M70 to M73
-  kCoolant,   // M7 M8 M9
-  kOverride,  // M48 to M53
-  kStop       // M0 M1 M2 M30 M60
+  kSignal,
+  kTool,
+  kSpindle,
+  kModes,
+  kCoolant,
+  kOverride,
+  kStop,
+  kOutside  // not implemented here
 };
-inline constexpr std::size_t kFunctionGroups = 7;
+inline constexpr std::size_t kFunctionGroups = 7;  // that are implemented
 
-/// For a function that the control has.
-FunctionGroup group_of(Fixed m);
+/// M functions of one kind, and the addresses of the words for which they have a use: the numbers
+/// and values of overrides, outputs, inputs and tools.
+struct FunctionKind {
+  Fixed first;
+  Fixed last;
+  FunctionGroup group;
+  AddressSet words;
+};
 
-/// Whether the function has a use for a word of this address: the numbers and values of overrides,
-/// outputs, inputs and tools.
-bool uses_word(Fixed m, char address);
+/// Null: the control has no function of this number.
+const FunctionKind* find_function(Fixed m);
 
 }  // namespace gonogo::expanders::ngc

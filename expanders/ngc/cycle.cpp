@@ -16,12 +16,12 @@ bool is_tap(Motion code) {
 
 // NGC-CYC-23
 bool takes_dwell(const Machine& machine, Motion code) {
-  if (is_tap(code)) return machine.configuration.tap_dwell != kTapBarred;
+  if (is_tap(code)) return !machine.follows("ngc.tap.p=barred"_reading);
   return code == Motion::kG82 || code == Motion::kG86 || code == Motion::kG89;
 }
 
 bool needs_dwell(const Machine& machine, Motion code) {
-  if (is_tap(code)) return machine.configuration.tap_dwell == kTapNeeded;
+  if (is_tap(code)) return machine.follows("ngc.tap.p=needed"_reading);
   return takes_dwell(machine, code);
 }
 
@@ -46,6 +46,7 @@ class CycleBlock {
   void take_words();
   void take(char address, std::optional<Fixed>& number, bool checks_sign);
   void take_initial();
+  Fixed level_under_r() const;
   void take_levels();
   void take_places();
   void take_polar_places();
@@ -88,14 +89,14 @@ void CycleBlock::prepare(Plan& plan) {
     machine_.complain(AlarmKind::kConflictingWords, 'G', kNowhere);
   }
   // NGC-CYC-20
-  if (state_.feed.linear == 0 && !machine_.configuration.needs_no_feed) {
+  if (state_.feed.linear == 0 && !machine_.follows("ngc.cycle.feed=free"_reading)) {
     machine_.complain(AlarmKind::kFeedMissing);
   }
   check_late(plan);
   const bool drills = block_.code(Group::kMotion) != nullptr ||
                       machine_.spares("repeat-drops-holes"_fault, cycle_.extent == Cycle::kAll);
   if (!drills) cycle_.extent = std::min(cycle_.extent, Cycle::kApproach);
-  plan.motion = cycle_;
+  plan.motion = [&machine = machine_, cycle = cycle_] { return run_cycle(machine, cycle); };
 }
 
 // NGC-CYC-04, 18
@@ -152,13 +153,15 @@ void CycleBlock::take_initial() {
   const Fixed tool = state_.position[plane_.d];
   const bool renewed = state_.first && machine_.adds("initial-renewed-by-cycle"_fault,
                                                      state_.in_series && state_.initial != tool);
-  if (!state_.in_series || renewed || machine_.configuration.initial_of_block) {
+  if (!state_.in_series || renewed || machine_.follows("ngc.cycle.initial=block"_reading)) {
     state_.initial = tool;
     state_.initial_in_inch = state_.inch;
   }
   state_.in_series = true;
   cycle_.initial = state_.initial;
-  if (!machine_.configuration.initial_is_number || state_.initial_in_inch == state_.inch) return;
+  if (!machine_.follows("ngc.cycle.initial-kept=number"_reading) ||
+      state_.initial_in_inch == state_.inch)
+    return;
   const Wide other =
       state_.inch ? scaled(state_.initial, 254, 10) : scaled(state_.initial, 10, 254);
   cycle_.initial = reached(machine_, block_, other, depth_word_);
@@ -166,25 +169,27 @@ void CycleBlock::take_initial() {
 
 // Nil for absolute words, except the fault that counts from where the machine was switched on.
 Fixed CycleBlock::offset(std::size_t axis) const {
-  return machine_.alters<Fixed>("cycle-ignores-offset"_fault, 0,
-                                machine_.configuration.position[axis]);
+  return machine_.alters<Fixed>("cycle-ignores-offset"_fault, 0, machine_.profile.position[axis]);
+}
+
+// From where R counts.
+Fixed CycleBlock::level_under_r() const {
+  if (!state_.incremental) return offset(plane_.d);
+  if (machine_.follows("ngc.cycle.g91-r=current"_reading)) return state_.position[plane_.d];
+  return machine_.follows("ngc.cycle.g91-r=initial"_reading) ? cycle_.initial : 0;
 }
 
 // NGC-CYC-05, 06, 07, 10
 void CycleBlock::take_levels() {
-  const Configuration& options = machine_.configuration;
   const Fixed tool = state_.position[plane_.d];
-  const Option base = options.r_base;
-  const Fixed from = !state_.incremental ? offset(plane_.d)
-                     : base == kFromTool ? tool
-                                         : (base == kFromInitial ? cycle_.initial : 0);
+  const Fixed from = level_under_r();
   const Fixed r =
       machine_.alters("inch-r-unscaled"_fault, length_of(machine_, *store_.r), *store_.r);
   // Reading ngc.cycle.sticky: the number, or the level that came of it.
-  if (!options.keeps_levels || block_.has('R')) {
+  if (!machine_.follows("ngc.cycle.sticky=level"_reading) || block_.has('R')) {
     store_.r_level = reached(machine_, block_, Wide{from} + r, 'R');
   }
-  if (!options.keeps_levels || block_.has(depth_word_)) {
+  if (!machine_.follows("ngc.cycle.sticky=level"_reading) || block_.has(depth_word_)) {
     const Fixed above = state_.incremental
                             ? machine_.alters("depth-from-tool"_fault, store_.r_level, tool)
                             : offset(plane_.d);
@@ -267,7 +272,7 @@ void CycleBlock::take_count() {
 // Whether a repeat would put nothing out: no loop may run on without a record.
 bool CycleBlock::stands_still() const {
   const bool turns = is_tap(cycle_.code) || cycle_.code == Motion::kG86;
-  const bool dwells = cycle_.dwell != 0 || machine_.configuration.pecks_dwell;
+  const bool dwells = cycle_.dwell != 0 || machine_.follows("ngc.peck.dwell=quarter"_reading);
   const bool goes_on = cycle_.polar && (cycle_.polar->further != 0 || cycle_.polar->turn != 0);
   return !turns && !dwells && !goes_on && cycle_.r == cycle_.bottom && cycle_.r == cycle_.clear &&
          cycle_.drift == 0 && cycle_.step[plane_.p] == 0 && cycle_.step[plane_.q] == 0;
@@ -283,7 +288,7 @@ bool CycleBlock::leads_through_origin() const {
 // Reading ngc.tap.p: without P a tap has the dwell of the cycle before.
 void CycleBlock::take_dwell() {
   if (!takes_dwell(machine_, cycle_.code)) return;
-  const bool of_last = is_tap(cycle_.code) && machine_.configuration.tap_dwell == kTapLast;
+  const bool of_last = is_tap(cycle_.code) && machine_.follows("ngc.tap.p=last"_reading);
   cycle_.dwell = store_.p.value_or(of_last ? state_.dwell : 0);
   state_.dwell = cycle_.dwell;
   const Wide thousandfold = Wide{cycle_.dwell} * 1000;
@@ -294,16 +299,18 @@ void CycleBlock::take_dwell() {
 // NGC-G83-04, 07, 08
 void CycleBlock::take_pecks() {
   if (!is_peck(cycle_.code)) return;
-  const Option choice = machine_.configuration.clearance;
   const Fixed number = store_.q.value_or(0);
-  const Fixed one = machine_.configuration.inch ? kOne / 20 : kOne;
+  const Fixed one = machine_.profile.inch ? kOne / 20 : kOne;
   cycle_.infeed = machine_.alters("inch-q-unscaled"_fault, length_of(machine_, number), number);
-  cycle_.clearance = choice == kOneMillimetre ? length_of(machine_, one) : kOne / 1000 * 254;
+  const bool one_unit = machine_.follows("ngc.peck.clearance=one-mm"_reading);
+  cycle_.clearance = one_unit ? length_of(machine_, one) : kOne / 1000 * 254;
   cycle_.clearance = machine_.alters("clearance-in-program-unit"_fault, cycle_.clearance,
                                      length_of(machine_, kOne / 100));
-  if (choice == kTenth) cycle_.clearance = kOne / 10;
-  if (choice == kTwentieth) cycle_.clearance = static_cast<Fixed>(scaled(cycle_.infeed, 1, 20));
-  if (!machine_.configuration.clearance_word || !block_.has('D')) return;
+  if (machine_.follows("ngc.peck.clearance=tenth-mm"_reading)) cycle_.clearance = kOne / 10;
+  if (machine_.follows("ngc.peck.clearance=twentieth"_reading)) {
+    cycle_.clearance = static_cast<Fixed>(scaled(cycle_.infeed, 1, 20));
+  }
+  if (!machine_.follows("ngc.peck.d=clearance"_reading) || !block_.has('D')) return;
   cycle_.clearance = length_of(machine_, block_, 'D');
   if (cycle_.clearance < 0) complain(AlarmKind::kValueSign, 'D');
 }
@@ -321,10 +328,11 @@ void CycleBlock::check_late(Plan& plan) {
     cycle_.infeed = std::max<Fixed>(1, cycle_.r - cycle_.bottom);
   } else if (is_peck(cycle_.code) && *store_.q <= 0) {
     complain_late(AlarmKind::kValueSign, 'Q', Cycle::kApproach);
-    if (machine_.configuration.q_at_once) return;
+    if (machine_.follows("ngc.cycle.alarm-at-q=block"_reading)) return;
   }
   check_spindle();
-  plan.alarms_late = clean && machine_.in_alarm() && machine_.configuration.alarms_late;
+  plan.alarms_late =
+      clean && machine_.in_alarm() && machine_.follows("ngc.cycle.alarm-at=late"_reading);
 }
 
 // NGC-G84-01, NGC-G86-01
@@ -358,10 +366,10 @@ AddressSet words_of(const Machine& machine, Motion motion) {
   if (motion == Motion::kG76) return AddressSet{"EHIJKLPQR"};
   if (!is_cycle(motion)) return {};
   AddressSet words{"R"};
-  if (motion != Motion::kG74 || !machine.configuration.g74_without_l) words.add('L');
+  if (motion != Motion::kG74 || !machine.follows("ngc.g74.l=barred"_reading)) words.add('L');
   if (takes_dwell(machine, motion)) words.add('P');
   if (is_peck(motion)) words.add('Q');
-  if (is_peck(motion) && machine.configuration.clearance_word) words.add('D');
+  if (is_peck(motion) && machine.follows("ngc.peck.d=clearance"_reading)) words.add('D');
   return words;
 }
 

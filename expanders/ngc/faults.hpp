@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <iterator>
-#include <string_view>
+#include <array>
 
 #include "expanders/common/planted.hpp"
 
 namespace gonogo::expanders::ngc {
 
 /// The planted faults; `models` names in parentheses where one was met in the field.
-inline constexpr FaultDescription kFaultTable[] = {
+inline constexpr auto kFaults = std::to_array<FaultDescription>({
     // G2, G3
     {"g18-sense-flipped", "G2 and G3 change places in G18", "NGC-ARC-01",
      "plane taken as (X, Z), seen from -Y", "https://github.com/synthetos/TinyG/issues/120"},
@@ -284,17 +283,10 @@ inline constexpr FaultDescription kFaultTable[] = {
      "each of the two characters ends a line"},
     {"feed-survives-reset", "F of the program before is still in force", "NGC-COM-01",
      "reset clears the modal codes but not the feed"},
-};
-inline constexpr std::size_t kFaults = std::size(kFaultTable);
+});
 
-/// 0: none; i + 1: that of kFaultTable[i].
-enum class Fault : std::size_t { kNone };
-
-/// The fault of that name, which the table must have.
 consteval Fault operator""_fault(const char* name, std::size_t size) {
-  std::size_t place = 0;
-  while (kFaultTable[place].name != std::string_view(name, size)) ++place;
-  return static_cast<Fault>(place + 1);
+  return find_fault(kFaults, {name, size});
 }
 
 using Faults = Planted<Fault>;

@@ -8,6 +8,15 @@
 namespace gonogo::expanders::ngc {
 namespace {
 
+/// G33 and G33.1.
+struct Synchronous {
+  Point to{};
+  Axes axes = 0;
+  Fixed lead = 0;  ///< along the longer axis
+  bool tap = false;
+  int spindle = 5;
+};
+
 // K is the lead along the way; a record has that along the longer axis.
 Fixed lead_along_axis(const Machine& machine, const Point& to, Fixed path_lead) {
   const Point& from = machine.state.position;
@@ -40,10 +49,23 @@ Fixed take_lead(Machine& machine, const Block& block) {
   last = lead;
   if (!lead) machine.complain(AlarmKind::kLeadMissing, 'K', kNowhere);
   const Fixed value = lead.value_or(kOne);
-  if (value <= 0 && !machine.configuration.any_lead) {
+  if (value <= 0 && !machine.follows("ngc.g33.k=free"_reading)) {
     machine.complain(AlarmKind::kValueSign, 'K', block);
   }
   return value;
+}
+
+// NGC-G331-01, 02
+bool run(Machine& machine, const Synchronous& motion) {
+  Tracer& tracer = machine.tracer;
+  const Point from = machine.state.position;
+  if (!tracer.thread(motion.to, motion.axes, motion.lead)) return false;
+  if (!motion.tap || machine.adds("g331-ends-at-bottom"_fault)) return true;
+  if (machine.adds("g331-without-reversal"_fault)) {
+    return tracer.thread(from, motion.axes, motion.lead);
+  }
+  return tracer.function(motion.spindle == 3 ? 4 : 3) &&
+         tracer.thread(from, motion.axes, motion.lead) && tracer.function(motion.spindle);
 }
 
 }  // namespace
@@ -64,20 +86,7 @@ void prepare_synchronous(Machine& machine, const Block& block, Plan& plan) {
   }
   const Fixed lead = take_lead(machine, block);
   motion.lead = lead_along_axis(machine, motion.to, lead);
-  plan.motion = motion;
-}
-
-// NGC-G331-01, 02
-bool perform(Machine& machine, const Synchronous& motion) {
-  Tracer& tracer = machine.tracer;
-  const Point from = machine.state.position;
-  if (!tracer.thread(motion.to, motion.axes, motion.lead)) return false;
-  if (!motion.tap || machine.adds("g331-ends-at-bottom"_fault)) return true;
-  if (machine.adds("g331-without-reversal"_fault)) {
-    return tracer.thread(from, motion.axes, motion.lead);
-  }
-  return tracer.function(motion.spindle == 3 ? 4 : 3) &&
-         tracer.thread(from, motion.axes, motion.lead) && tracer.function(motion.spindle);
+  plan.motion = [&machine, motion] { return run(machine, motion); };
 }
 
 }  // namespace gonogo::expanders::ngc

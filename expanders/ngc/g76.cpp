@@ -20,7 +20,7 @@ class ThreadingBlock {
       : machine_(machine),
         block_(block),
         plan_(plan),
-        lenient_(machine.configuration.lenient_g76 != 0) {}
+        lenient_(machine.follows("ngc.g76.checks=linuxcnc"_reading)) {}
 
   void prepare();
 
@@ -71,7 +71,7 @@ void ThreadingBlock::prepare() {
                             thread_.taper, thread_.lead}) {
     within_reach(static_cast<long double>(place));
   }
-  plan_.motion = thread_;
+  plan_.motion = [&machine = machine_, thread = thread_] { return run_passes(machine, thread); };
 }
 
 // NGC-G76-02
@@ -176,7 +176,7 @@ void ThreadingBlock::take_tapers() {
   thread_.taper_lead = machine_.alters("g76-taper-lead-plain"_fault, axial, thread_.lead);
   thread_.entry_lead = within_reach(lead * std::hypot(taper, depth) / taper);
   // Reading ngc.g76.entry
-  const bool by_feed = machine_.configuration.g76_entry == kEnterByFeed;
+  const bool by_feed = machine_.follows("ngc.g76.entry=feed"_reading);
   if (thread_.tapers_in && by_feed && machine_.state.feed.linear == 0) {
     machine_.complain(AlarmKind::kFeedMissing);
   }

@@ -78,14 +78,11 @@ bool Passes::thread(Fixed x, Fixed z, Fixed lead) {
 
 // NGC-G76-09
 bool Passes::enter(Fixed to, Fixed z) {
-  switch (machine_.configuration.g76_entry) {
-    case kEnterByFeed:
-      return machine_.tracer.feed(at(to, z), kBoth, thread_.feed);
-    case kEnterByRapid:
-      return rapid(to, z);
-    default:
-      return thread(to, z, thread_.entry_lead);
+  if (machine_.follows("ngc.g76.entry=feed"_reading)) {
+    return machine_.tracer.feed(at(to, z), kBoth, thread_.feed);
   }
+  if (machine_.follows("ngc.g76.entry=rapid"_reading)) return rapid(to, z);
+  return thread(to, z, thread_.entry_lead);
 }
 
 // NGC-G76-06 to 12: one pass, from beside the drive line and back.
@@ -97,7 +94,7 @@ bool Passes::cut(Fixed depth) {
       machine_.alters("g76-plain-withdrawal"_fault, thread_.x - thread_.side * left, thread_.x);
   const int way = thread_.way;
   const int slide_way = machine_.alters("g76-slide-backwards"_fault, way, -1);
-  const bool from_start = machine_.configuration.slide_at_start == 0;
+  const bool from_start = machine_.follows("ngc.g76.slide=start"_reading);
   const Fixed start =
       thread_.z_start + (from_start ? slide_way * slid(depth) : -slide_way * slid(left));
   const Fixed end = thread_.z_end - slide_way * slid(left);
@@ -120,8 +117,8 @@ bool Passes::cut(Fixed depth) {
 
 }  // namespace
 
-bool perform(Machine& machine, const Threading& motion) {
-  return Passes(machine, motion).run();
+bool run_passes(Machine& machine, const Threading& thread) {
+  return Passes(machine, thread).run();
 }
 
 }  // namespace gonogo::expanders::ngc

@@ -78,9 +78,9 @@ bool withdraw(const Hole& hole, Fixed bottom) {
   back = machine.alters("return-not-above-r"_fault, back, std::min(back, cycle.r));
   const bool chip_breaking = cycle.code == Motion::kG73;
   if (machine.alters("g73-full-retract"_fault, !chip_breaking, true)) {
-    const bool to_clear = !chip_breaking && machine.configuration.pecks_to_clear;
+    const bool to_clear = !chip_breaking && machine.follows("ngc.g83.retract=clear"_reading);
     if (!hole.rapid(to_clear ? cycle.clear : cycle.r)) return false;  // NGC-G83-02
-    if (!chip_breaking && machine.configuration.returns_by_feed) return true;
+    if (!chip_breaking && machine.follows("ngc.g83.return=feed"_reading)) return true;
   }
   return hole.rapid(back);  // NGC-G83-03, NGC-G73-01
 }
@@ -90,7 +90,7 @@ bool withdraw(const Hole& hole, Fixed bottom) {
 bool peck(const Hole& hole) {
   Machine& machine = hole.machine;
   const Cycle& cycle = hole.cycle;
-  const Fixed pause = machine.configuration.pecks_dwell ? kQuarter : 0;
+  const Fixed pause = machine.follows("ngc.peck.dwell=quarter"_reading) ? kQuarter : 0;
   const Pecks pecks = pecks_of(machine, cycle);
   for (Fixed n = 1; n < pecks.count; ++n) {
     const Fixed bottom = std::max(pecks.top - n * pecks.infeed, pecks.bottom);
@@ -98,8 +98,10 @@ bool peck(const Hole& hole) {
   }
   if (!hole.feed(pecks.bottom) || !machine.tracer.dwell(pause)) return false;
   if (cycle.code == Motion::kG83) return hole.rapid(cycle.clear);  // NGC-G83-06
-  const Option end = machine.configuration.g73_end;                // NGC-G73-02
-  return (end == kEndOnClear || hole.rapid(cycle.r)) && (end == kEndOnR || hole.rapid(cycle.clear));
+  // NGC-G73-02
+  const bool on_clear = machine.follows("ngc.g73.end=clear"_reading);
+  const bool on_r = machine.follows("ngc.g73.end=r-plane"_reading);
+  return (on_clear || hole.rapid(cycle.r)) && (on_r || hole.rapid(cycle.clear));
 }
 
 }  // namespace gonogo::expanders::ngc

@@ -9,9 +9,9 @@ namespace {
 bool out_of_g85(const Hole& hole) {
   const Machine& machine = hole.machine;
   if (machine.adds("g85-rapid-out"_fault)) return hole.rapid(hole.cycle.clear);
-  if (!machine.configuration.g85_to_clear && !hole.feed(hole.cycle.r)) return false;
-  return machine.configuration.g85_to_clear ? hole.feed(hole.cycle.clear)
-                                            : hole.rapid(hole.cycle.clear);
+  if (!machine.follows("ngc.g85.out=clear"_reading) && !hole.feed(hole.cycle.r)) return false;
+  return machine.follows("ngc.g85.out=clear"_reading) ? hole.feed(hole.cycle.clear)
+                                                      : hole.rapid(hole.cycle.clear);
 }
 
 // NGC-G86-02

@@ -9,7 +9,7 @@ namespace {
 bool lift(const Hole& hole) {
   const Machine& machine = hole.machine;
   const Cycle& cycle = hole.cycle;
-  const bool by_initial = machine.configuration.crosses_at_clear != 0;
+  const bool by_initial = machine.follows("ngc.cycle.approach=initial-level"_reading);
   const bool below = (by_initial ? cycle.initial : hole.level()) < cycle.r;
   return !machine.spares("rapid-through-stock"_fault, below) || hole.rapid(cycle.r);
 }
@@ -38,7 +38,8 @@ bool approach(const Hole& hole, Fixed number) {
   const Cycle& cycle = hole.cycle;
   Fixed to = hole.level();
   if (number == 0) {
-    if (machine.configuration.crosses_at_clear && to <= cycle.r) to = cycle.clear;
+    if (machine.follows("ngc.cycle.approach=initial-level"_reading) && to <= cycle.r)
+      to = cycle.clear;
     if (to > cycle.r) {
       if (machine.adds("drop-before-crossing"_fault)) {
         if (!hole.rapid(cycle.r)) return false;
@@ -80,7 +81,7 @@ bool jumps_into(Machine& machine, const Cycle& cycle) {
 }  // namespace
 
 // NGC-CYC-13, 14
-bool perform(Machine& machine, const Cycle& planned) {
+bool run_cycle(Machine& machine, const Cycle& planned) {
   if (planned.count == 0 || jumps_into(machine, planned)) return true;
   Cycle cycle = planned;
   const Hole hole{machine, cycle};

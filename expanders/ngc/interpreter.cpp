@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string>
 
 #include "expanders/common/program_loop.hpp"
@@ -37,7 +36,7 @@ std::string without_lone_cr(std::string_view program) {
 
 gonogo_answer Interpreter::run(std::string_view program) {
   std::string blank;
-  if (machine_.configuration.cr_is_blank) program = blank = without_lone_cr(program);
+  if (machine_.follows("ngc.lone-cr=blank"_reading)) program = blank = without_lone_cr(program);
   const bool pairs = program.find("\r\n") != std::string_view::npos;
   const Counting counting =
       machine_.adds("cr-lf-counted-twice"_fault, pairs) ? Counting::kPairTwice : Counting::kAll;
@@ -55,17 +54,16 @@ gonogo_answer Interpreter::run(std::string_view program) {
 // NGC-COM-08
 Flow Interpreter::check_end() {
   machine_.state.line = std::max<std::uint64_t>(machine_.state.line, 1);
-  if (ended_ || machine_.configuration.needs_no_end) return Flow::kContinue;
+  if (ended_ || machine_.follows("ngc.program-end=free"_reading)) return Flow::kContinue;
   if (opened_ && machine_.adds("second-tape-mark-optional"_fault)) return Flow::kContinue;
   machine_.complain(AlarmKind::kProgramEnd);
   return Flow::kAlarm;
 }
 
 Block::Manner Interpreter::manner() const {
-  const Configuration& configuration = machine_.configuration;
-  return {.block_delete = configuration.block_delete,
-          .reads_skipped = configuration.reads_skipped != 0,
-          .forgets_g80 = configuration.forgets_g80 != 0,
+  return {.block_delete = machine_.profile.block_skip,
+          .reads_skipped = machine_.follows("ngc.block-delete=read"_reading),
+          .forgets_g80 = machine_.follows("ngc.g80-beside=ignored"_reading),
           .whole = machine_.whole,
           .faults = machine_};
 }
@@ -77,7 +75,8 @@ Flow Interpreter::refuse_line() {
 
 Flow Interpreter::run_line(std::string_view line) {
   static constexpr std::size_t kLongest = 256;
-  if (line.size() > kLongest && machine_.configuration.refuses_long_lines) return refuse_line();
+  if (line.size() > kLongest && machine_.follows("ngc.long-line=syntax"_reading))
+    return refuse_line();
   const Block::Reading reading = block_.read(line, manner());
   if (reading == Block::Reading::kBlank) return Flow::kContinue;
   const bool first = !any_line_;
@@ -91,7 +90,7 @@ Flow Interpreter::run_line(std::string_view line) {
     case Block::Reading::kTapeMark:
       return run_tape_mark(first);
     case Block::Reading::kName:
-      if (machine_.configuration.refuses_names) return refuse_line();
+      if (machine_.follows("ngc.o-name=syntax"_reading)) return refuse_line();
       return machine_.alters("name-ends-program"_fault, Flow::kContinue, Flow::kEnd);
     case Block::Reading::kBlank:
     case Block::Reading::kSkipped:
@@ -120,7 +119,7 @@ Flow Interpreter::run_tape_mark(bool first) {
 
 // NGC-COM-05
 bool Interpreter::refuses_number() const {
-  return machine_.configuration.whole_line_numbers && block_.long_number();
+  return machine_.follows("ngc.line-number=whole"_reading) && block_.long_number();
 }
 
 Flow Interpreter::run_block() {
@@ -133,7 +132,7 @@ Flow Interpreter::run_block() {
   prepare(plan);
   if (machine_.in_alarm() && !plan.alarms_late) {
     // NGC-G4-02
-    const bool dwells = plan.reaches_motion && machine_.configuration.dwells_first;
+    const bool dwells = plan.reaches_motion && machine_.follows("ngc.alarm-dwell=dwells"_reading);
     return dwells && !machine_.tracer.dwell(plan.dwell) ? Flow::kStopped : Flow::kAlarm;
   }
   return plan.outside.empty() ? perform_plan(plan) : unsupported(plan.outside);
@@ -141,13 +140,6 @@ Flow Interpreter::run_block() {
 
 Flow Interpreter::unsupported(std::string_view what) {
   return not_implemented(machine_.tracer, what);
-}
-
-Flow Interpreter::unsupported(char letter, unsigned tenths) {
-  char code[24];
-  const char* form = tenths % 10 == 0 ? "%c%u" : "%c%u.%u";
-  const int size = std::snprintf(code, sizeof code, form, letter, tenths / 10, tenths % 10);
-  return unsupported(std::string_view{code, static_cast<std::size_t>(size)});
 }
 
 // What is in force once the codes of the block have acted.
@@ -199,7 +191,7 @@ Flow Interpreter::check_polar_words() {
 // What the control can do and this expander cannot; it goes before every alarm of the block but
 // that of a code that the control does not know, which may have been another motion.
 Flow Interpreter::check_coverage() {
-  if (const Code* code = block_.outside()) return unsupported('G', code->tenths);
+  if (const Code* code = block_.outside()) return unsupported(code_name('G', code->tenths));
   for (const char address : {'B', 'U', 'V', 'W'}) {
     if (block_.has(address)) return unsupported({&address, 1});
   }
@@ -210,8 +202,8 @@ Flow Interpreter::check_coverage() {
   if (synchronous && !block_.unknown_code() && block_.has_any(kRotaryWords))
     return unsupported("G33 with a rotary axis");
   for (const FunctionWord& word : block_.functions()) {
-    if (word.number && find_function(*word.number) == Function::kOutside) {
-      return unsupported('M', static_cast<unsigned>(*word.number * 10));
+    if (word.kind != nullptr && word.kind->group == FunctionGroup::kOutside) {
+      return unsupported(code_name('M', *word.number * 10));
     }
   }
   return Flow::kContinue;
@@ -247,7 +239,8 @@ void Interpreter::check_numbers() {
       machine_.complain(AlarmKind::kValueSign, address, block_);
     } else if (address == 'T' && !number.overflow && !machine_.whole.function(number)) {
       machine_.complain(AlarmKind::kNotAnInteger, 'T', block_);
-    } else if (address == 'T' && number.value > 0 && machine_.configuration.looks_for_tools) {
+    } else if (address == 'T' && number.value > 0 &&
+               machine_.follows("ngc.missing-tool=alarm"_reading)) {
       machine_.complain(AlarmKind::kNoTool, 'T', block_);  // no profile with tools is taken
     }
   }
@@ -262,27 +255,17 @@ void Interpreter::check_signal(const FunctionWord& word) {
       machine_.complain(AlarmKind::kValueSign, address, block_);
     }
   };
-  switch (word.number.value_or(0)) {
-    case 61:
-      need('Q');
-      if (block_.has('Q') && block_.number('Q').value > 0 &&
-          machine_.configuration.looks_for_tools) {
-        machine_.complain(AlarmKind::kNoTool, 'Q', block_);
-      }
-      return;
-    case 62:
-    case 63:
-    case 64:
-    case 65:
-      return need('P');
-    case 66:
-      return check_input(word);
-    case 67:
-    case 68:
-      return need('E');
-    default:
-      return;
+  const Fixed m = word.number.value_or(0);
+  if (m == 61) {
+    need('Q');
+    if (block_.has('Q') && block_.number('Q').value > 0 &&
+        machine_.follows("ngc.missing-tool=alarm"_reading)) {
+      machine_.complain(AlarmKind::kNoTool, 'Q', block_);
+    }
   }
+  if (m >= 62 && m <= 65) need('P');
+  if (m == 66) check_input(word);
+  if (m == 67 || m == 68) need('E');
 }
 
 void Interpreter::check_input(const FunctionWord& word) {
@@ -316,8 +299,8 @@ bool Interpreter::check_functions() {
     return false;
   }
   for (const FunctionWord& word : block_.functions()) {
-    if (word.number && find_function(*word.number) == Function::kKnown) {
-      const auto group = static_cast<unsigned>(group_of(*word.number));
+    if (word.kind != nullptr) {
+      const auto group = static_cast<unsigned>(word.kind->group);
       if ((groups >> group & 1U) != 0) {  // NGC-COM-01
         machine_.complain(AlarmKind::kDuplicateWord, 'M', word.position);
         return false;
@@ -333,13 +316,11 @@ bool Interpreter::check_functions() {
   return true;
 }
 
-Flow Interpreter::perform_plan(const Plan& plan) {
+Flow Interpreter::perform_plan(Plan& plan) {
   const Flow before = run_functions(true);
   if (before != Flow::kContinue) return before;
   if (!machine_.tracer.dwell(plan.dwell)) return Flow::kStopped;
-  const bool goes_on =
-      std::visit([&](const auto& motion) { return perform(machine_, motion); }, plan.motion);
-  if (!goes_on) return Flow::kStopped;
+  if (!plan.motion.perform()) return Flow::kStopped;
   return plan.alarms_late ? Flow::kAlarm : run_functions(false);
 }
 
@@ -348,7 +329,7 @@ Flow Interpreter::run_functions(bool before) {
   // Each group has one at most.
   std::array<const FunctionWord*, kFunctionGroups> by_group{};
   for (const FunctionWord& word : block_.functions()) {
-    by_group[static_cast<std::size_t>(group_of(*word.number))] = &word;
+    by_group[static_cast<std::size_t>(word.kind->group)] = &word;
   }
   for (const FunctionWord* word : by_group) {
     if (word == nullptr) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "expanders/ngc/plan.hpp"
@@ -11,13 +12,30 @@ namespace gonogo::expanders::ngc {
 /// the order of their action, checks, moves. Uses no memory that grows with the program.
 class Interpreter {
  public:
-  Interpreter(const Configuration& configuration, const gonogo_sink_v1& sink, const Faults& planted)
-      : machine_(configuration, sink, planted) {}
+  using Memory = FeedRate;  // the last feed, for the fault that lets it survive
+  static constexpr std::size_t kFaultCount = kFaults.size();
+  static constexpr std::string_view kDescription =
+      R"({"protocol":1,"subject":{"name":"gonogo-ngc","version":"0.1.0"},)"
+      R"("dialects":{"rs274":["basic","arc","arc-r","planes","helix","arc-distance","turns",)"
+      R"("lines",)"
+      R"("g81","g73","g83","g84","g74","g85","g86","cycle-modal","cycle-steps","cycle-planes",)"
+      R"("g33","g33.1","g76","rotary","feed-modes","linuxcnc","polar-words"]},)"
+      R"("features":["blocks","m","bytes"],)"
+      R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.0001","chord":"0"},)"
+      R"("readings":["*"],"max_in_flight":1})";
+  static std::span<const ProfileTable> profiles();
+
+  Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, const Faults& planted)
+      : machine_(profile, sink, planted) {}
+
+  void recall(const FeedRate& last) {
+    FeedRate& feed = machine_.state.feed;
+    feed = machine_.alters("feed-survives-reset"_fault, feed, last.linear != 0 ? last : feed);
+  }
+  Memory memory() const { return machine_.state.feed; }
 
   /// What `run` of the C interface answers.
   gonogo_answer run(std::string_view program);
-
-  Machine& machine() { return machine_; }
 
  private:
   Block::Manner manner() const;
@@ -53,10 +71,9 @@ class Interpreter {
   bool lacks_axis() const;
   void check_spindle();
   void prepare_motion(Plan& plan);
-  Flow perform_plan(const Plan& plan);
+  Flow perform_plan(Plan& plan);
   Flow run_functions(bool before);
   Flow unsupported(std::string_view what);
-  Flow unsupported(char letter, unsigned tenths);
 
   Machine machine_;
   Block block_;

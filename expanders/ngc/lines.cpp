@@ -6,6 +6,14 @@
 namespace gonogo::expanders::ngc {
 namespace {
 
+/// G0 and G1.
+struct Line {
+  Point to{};
+  Axes axes = 0;
+  bool cut = false;
+  Feed feed;
+};
+
 bool moves_straight(const Point& from, const Point& to) {
   return from[GONOGO_X] != to[GONOGO_X] || from[GONOGO_Y] != to[GONOGO_Y] ||
          from[GONOGO_Z] != to[GONOGO_Z];
@@ -14,7 +22,7 @@ bool moves_straight(const Point& from, const Point& to) {
 // NGC-MOD-02: G0 or G1 without an axis word.
 void check_bare(Machine& machine, const Block& block, bool cut) {
   if (block.code(Group::kMotion) == nullptr) return;
-  if (machine.configuration.motion_needs_axis) {
+  if (machine.follows("ngc.bare-motion=missing-word"_reading)) {
     machine.complain(AlarmKind::kMissingWord, 'X', kNowhere);
   } else if (cut && machine.spares("bare-feed-unchecked"_fault, machine.state.feed.linear == 0)) {
     machine.complain(AlarmKind::kFeedMissing);
@@ -62,16 +70,10 @@ void prepare_line(Machine& machine, const Block& block, Plan& plan) {
     line.feed = feed_of(state);
     if (!linear) line.feed.value = state.feed.rotary;
   }
-  plan.motion = line;
-}
-
-bool perform(Machine&, const Idle&) {
-  return true;
-}
-
-bool perform(Machine& machine, const Line& line) {
-  return line.cut ? machine.tracer.feed(line.to, line.axes, line.feed)
-                  : machine.tracer.rapid(line.to, line.axes);
+  plan.motion = [&machine, line] {
+    return line.cut ? machine.tracer.feed(line.to, line.axes, line.feed)
+                    : machine.tracer.rapid(line.to, line.axes);
+  };
 }
 
 }  // namespace gonogo::expanders::ngc

@@ -14,20 +14,22 @@ namespace gonogo::expanders::ngc {
 /// What every code works on.
 class Machine : public Complaints<AlarmText>, public Faults {
  public:
-  Machine(const Configuration& machine_configuration, const gonogo_sink_v1& sink,
-          const Faults& planted)
+  Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink, const Faults& planted)
       : Faults(planted),
-        configuration(machine_configuration),
-        state(machine_configuration),
+        profile(machine_profile),
+        state(machine_profile),
         tracer(sink, state.position, state.line),
-        whole(machine_configuration.whole, *this) {}
+        whole(machine_profile.readings, *this) {}
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
-  const Configuration& configuration;
+  const MachineProfile& profile;
   State state;
   Tracer tracer;
   WholeNumbers whole;
+
+  /// Whether the machine follows this alternative.
+  bool follows(Reading reading) const { return profile.readings.follows(reading); }
 
   using Complaints::complain;
   void complain(const AlarmText& kind, char word, const Block& block) {

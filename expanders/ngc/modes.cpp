@@ -7,6 +7,15 @@ namespace {
 
 constexpr AddressSet kCentreWords{"IJK"};
 
+// NGC-G4-01
+void prepare_dwell(Machine& machine, const Block& block, Plan& plan) {
+  if (!block.has('P')) return machine.complain(AlarmKind::kMissingWord, 'P', kNowhere);
+  const Fixed seconds = block.number('P').value;
+  if (seconds < 0) return machine.complain(AlarmKind::kValueSign, 'P', block);
+  const auto parts = machine.alters<Fixed>("dwell-in-milliseconds"_fault, 1, 1000);
+  plan.dwell = static_cast<Fixed>(scaled(seconds, 1, parts));
+}
+
 }  // namespace
 
 // NGC-MOD-01, NGC-CYC-01: in a fixed order, not in that of the line.
@@ -48,20 +57,19 @@ void Interpreter::take_feed_mode() {
   const bool changes = mode != state.feed_mode;
   state.feed_mode = mode;
   if (changes ? machine_.spares("feed-survives-its-mode"_fault)
-              : machine_.configuration.g94_ends_feed && !block_.has('F')) {
+              : machine_.follows("ngc.g94-feed=none"_reading) && !block_.has('F')) {
     state.feed = {};
   }
 }
 
 // F counts in the units of the block before: G20 and G21 act later.
 void Interpreter::take_feed() {
-  const Configuration& configuration = machine_.configuration;
   if (!block_.has('F')) return;
   const Fixed written = block_.number('F').value;
   if (written < 0) return machine_.complain(AlarmKind::kValueSign, 'F', block_);
   if (machine_.state.feed_mode == FeedMode::kInverseTime) return;
   const Code* units = block_.code(Group::kUnits);
-  if (configuration.feed_in_new_units && units != nullptr) {
+  if (machine_.follows("ngc.feed-units=after"_reading) && units != nullptr) {
     machine_.state.inch = units->tenths == 200;
   }
   machine_.state.feed = {
@@ -98,7 +106,8 @@ void Interpreter::take_saved(Plan& plan) {
     plan.outside = "M72 for a spindle or coolant";
     return;
   }
-  if (state.plane != state.saved->plane && !machine_.configuration.initial_is_number) {
+  if (state.plane != state.saved->plane &&
+      !machine_.follows("ngc.cycle.initial-kept=number"_reading)) {
     state.in_series = false;
   }
   const FeedRate feed = state.feed;
@@ -113,7 +122,8 @@ void Interpreter::take_modes() {
   if (const Code* code = block_.code(Group::kPlane)) {
     const int plane = code->tenths / 10;
     // NGC-CYC-09
-    if (plane != state.plane && !machine_.configuration.initial_is_number) state.in_series = false;
+    if (plane != state.plane && !machine_.follows("ngc.cycle.initial-kept=number"_reading))
+      state.in_series = false;
     state.plane = plane;
   }
   if (const Code* code = block_.code(Group::kUnits)) state.inch = code->tenths == 200;
@@ -180,13 +190,14 @@ void Interpreter::remember_steps() {
 bool Interpreter::runs_motion() const {
   if (block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords)) return true;
   if (!is_arc(machine_.state.motion) || !block_.has_any(kCentreWords)) return false;
-  return !machine_.configuration.arc_needs_axis && machine_.spares("arc-words-need-code"_fault);
+  return !machine_.follows("ngc.arc-words-alone=alarm"_reading) &&
+         machine_.spares("arc-words-need-code"_fault);
 }
 
 // NGC-COM-02
 void Interpreter::check_uses() {
   static constexpr AddressSet kOfCodes{"DEHIJKLPQR"};
-  if (machine_.configuration.ignores_words) return;
+  if (machine_.follows("ngc.unused-words=ignored"_reading)) return;
   const Motion motion = machine_.state.motion;
   const bool runs = runs_motion();
   const bool moves = block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords);
@@ -213,7 +224,8 @@ bool Interpreter::lacks_axis() const {
   if (block_.code(Group::kMotion) == nullptr) return false;
   if (is_cycle(motion)) return !block_.has_any(kLinearWords);
   const bool straight = motion == Motion::kRapid || motion == Motion::kLine;
-  return straight && machine_.configuration.motion_needs_axis && !block_.has_any(kAxisWords);
+  return straight && machine_.follows("ngc.bare-motion=missing-word"_reading) &&
+         !block_.has_any(kAxisWords);
 }
 
 // NGC-SPD-02

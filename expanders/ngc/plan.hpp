@@ -3,8 +3,8 @@
 
 #include <optional>
 #include <string_view>
-#include <variant>
 
+#include "expanders/common/plan.hpp"
 #include "expanders/ngc/polar.hpp"
 
 namespace gonogo::expanders::ngc {
@@ -12,27 +12,6 @@ namespace gonogo::expanders::ngc {
 // What a block will do. Preparing a plan checks every rule of the block and complains to the
 // machine; performing it cannot fail (false: the sink has asked to stop). So an alarming block
 // moves nothing, but where a fault is to be found late.
-
-struct Idle {};
-
-/// G0 and G1.
-struct Line {
-  Point to{};
-  Axes axes = 0;
-  bool cut = false;
-  Feed feed;
-};
-
-/// G2 and G3.
-struct Arc {
-  int plane = 17;
-  Point to{};
-  Axes axes = 0;
-  Fixed centre_p = 0;
-  Fixed centre_q = 0;
-  int rot = 0;
-  Feed feed;
-};
 
 /// G73, G74, G81 to G86 and G89.
 struct Cycle {
@@ -58,15 +37,6 @@ struct Cycle {
   Feed feed;
   int spindle = 5;
   Extent extent = kAll;
-};
-
-/// G33 and G33.1.
-struct Synchronous {
-  Point to{};
-  Axes axes = 0;
-  Fixed lead = 0;  ///< along the longer axis
-  bool tap = false;
-  int spindle = 5;
 };
 
 /// G76, along Z.
@@ -95,7 +65,7 @@ struct Threading {
 
 struct Plan {
   Fixed dwell = 0;  ///< seconds; before the motion
-  std::variant<Idle, Line, Arc, Cycle, Synchronous, Threading> motion;
+  expanders::Plan motion;
   bool alarms_late = false;     ///< the machine is in alarm, and moves before
   bool reaches_motion = false;  ///< nothing is wrong but what the motion finds
   std::string_view outside;     ///< what is not implemented; empty: nothing
@@ -103,19 +73,15 @@ struct Plan {
 
 /// NGC-FED-01: the speed at which a way takes 1/F minutes.
 Fixed timed_feed(const Block& block, long double way);
-void prepare_dwell(Machine& machine, const Block& block, Plan& plan);
 void prepare_line(Machine& machine, const Block& block, Plan& plan);
 void prepare_arc(Machine& machine, const Block& block, Plan& plan);
 void prepare_cycle(Machine& machine, const Block& block, Plan& plan);
 void prepare_synchronous(Machine& machine, const Block& block, Plan& plan);
 void prepare_threading(Machine& machine, const Block& block, Plan& plan);
 
-bool perform(Machine& machine, const Idle& motion);
-bool perform(Machine& machine, const Line& motion);
-bool perform(Machine& machine, const Arc& motion);
-bool perform(Machine& machine, const Cycle& motion);
-bool perform(Machine& machine, const Synchronous& motion);
-bool perform(Machine& machine, const Threading& motion);
+/// False when the sink has asked to stop.
+bool run_cycle(Machine& machine, const Cycle& planned);
+bool run_passes(Machine& machine, const Threading& thread);
 
 /// Addresses that the motion code takes besides axes, D to R.
 AddressSet words_of(const Machine& machine, Motion motion);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expanders/ngc/polar.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace gonogo::expanders::ngc {
@@ -19,16 +20,13 @@ long double distance_of(const Machine& machine, const Block& block) {
   return static_cast<long double>(machine.alters("polar-inch-unscaled"_fault, length, written));
 }
 
-Wide x_of(const PolarWay& way, Fixed number) {
+// X and Y of an end.
+std::array<Wide, 2> place_of(const PolarWay& way, Fixed number) {
   const auto count = static_cast<long double>(number);
-  return static_cast<Wide>(std::roundl((way.distance + count * way.further) *
-                                       std::cos((way.angle + count * way.turn) * kRadian)));
-}
-
-Wide y_of(const PolarWay& way, Fixed number) {
-  const auto count = static_cast<long double>(number);
-  return static_cast<Wide>(std::roundl((way.distance + count * way.further) *
-                                       std::sin((way.angle + count * way.turn) * kRadian)));
+  const long double distance = way.distance + count * way.further;
+  const long double angle = (way.angle + count * way.turn) * kRadian;
+  return {static_cast<Wide>(std::roundl(distance * std::cos(angle))),
+          static_cast<Wide>(std::roundl(distance * std::sin(angle)))};
 }
 
 // NGC-POL-03
@@ -79,13 +77,15 @@ PolarWay polar_way(Machine& machine, const Block& block) {
 void lead_to(Machine& machine, const Block& block, const PolarWay& way, Fixed number,
              Point& place) {
   const char address = block.has('@') ? '@' : '^';
-  place[GONOGO_X] = reached(machine, block, x_of(way, number), address);
-  place[GONOGO_Y] = reached(machine, block, y_of(way, number), address);
+  const auto [x, y] = place_of(way, number);
+  place[GONOGO_X] = reached(machine, block, x, address);
+  place[GONOGO_Y] = reached(machine, block, y, address);
 }
 
 void lead_to(const PolarWay& way, Fixed number, Point& place) {
-  place[GONOGO_X] = static_cast<Fixed>(x_of(way, number));
-  place[GONOGO_Y] = static_cast<Fixed>(y_of(way, number));
+  const auto [x, y] = place_of(way, number);
+  place[GONOGO_X] = static_cast<Fixed>(x);
+  place[GONOGO_Y] = static_cast<Fixed>(y);
 }
 
 }  // namespace gonogo::expanders::ngc

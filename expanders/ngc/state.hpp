@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "expanders/ngc/configuration.hpp"
+#include "expanders/ngc/profile.hpp"
 
 namespace gonogo::expanders::ngc {
 
@@ -85,15 +85,14 @@ struct Leftovers {
 
 /// All that one block hands to the next.
 struct State : Modes {
-  explicit State(const Configuration& configuration)
-      : position(configuration.position),
-        motion(configuration.motion < 0 ? Motion::kNone
-                                        : static_cast<Motion>(configuration.motion * 10)),
-        spindle(configuration.spindle) {
-    inch = configuration.inch;
-    plane = configuration.plane;
-    feed = {configuration.feed, configuration.feed};
-    to_initial = configuration.starts_with_g98 != 0;
+  explicit State(const MachineProfile& profile)
+      : position(profile.position),
+        motion(profile.motion < 0 ? Motion::kNone : static_cast<Motion>(profile.motion * 10)),
+        spindle(profile.spindle) {
+    inch = profile.inch;
+    plane = profile.plane;
+    feed = {profile.feed, profile.feed};
+    to_initial = profile.readings.follows("ngc.cycle.retract-start=initial"_reading);
   }
 
   Point position;

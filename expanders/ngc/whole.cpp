@@ -4,12 +4,6 @@
 namespace gonogo::expanders::ngc {
 namespace {
 
-// In counts of the number as it is written, by the outcomes of ngc.whole. A G code is whole in
-// tenths: as it is written, its limit is a tenth. For grbl codes and functions have another rule.
-constexpr Fixed kCodeLimits[] = {0, kOne / 100'000, kOne / 10'000};
-constexpr Fixed kFunctionLimits[] = {0, kOne / 10'000, kOne / 10'000};
-constexpr Fixed kTurnLimits[] = {0, kOne / 10'000, kOne / 1'000, 0};
-
 // The number lies `rest` counts beside a whole step, to the nearest count. Tells whether what was
 // written lies further away than `rest` says.
 bool lies_beyond(const Decimal& number, Fixed rest) {
@@ -20,6 +14,11 @@ bool lies_beyond(const Decimal& number, Fixed rest) {
 }
 
 }  // namespace
+
+Fixed WholeNumbers::by_reading(Fixed nist, Fixed linuxcnc) const {
+  if (readings_.follows("ngc.whole=nist"_reading)) return nist;
+  return readings_.follows("ngc.whole=linuxcnc"_reading) ? linuxcnc : 0;
+}
 
 std::optional<Fixed> WholeNumbers::cut_steps(const Decimal& number, Fixed hundredths) {
   if (number.overflow) return std::nullopt;
@@ -36,20 +35,22 @@ std::optional<Fixed> WholeNumbers::cut_steps(const Decimal& number, Fixed hundre
   return all % hundredths == 0 ? std::optional(all / hundredths) : std::nullopt;
 }
 
+// A G code is whole in tenths: as it is written, its limit is a tenth.
 std::optional<Fixed> WholeNumbers::tenths(const Decimal& code) const {
-  if (reading_ == kGrbl) return cut_steps(code, 10);
-  const Fixed limit =
-      faults_.alters("code-limit-unscaled"_fault, kCodeLimits[reading_], kFunctionLimits[reading_]);
-  return steps(code, kOne / 10, limit);
+  if (readings_.follows("ngc.whole=grbl"_reading)) return cut_steps(code, 10);
+  const Fixed most =
+      faults_.alters("code-limit-unscaled"_fault, by_reading(kOne / 100'000, kOne / 10'000),
+                     by_reading(kOne / 10'000, kOne / 10'000));
+  return steps(code, kOne / 10, most);
 }
 
 std::optional<Fixed> WholeNumbers::function(const Decimal& number) const {
-  if (reading_ == kGrbl) return cut_steps(number, 100);
-  return steps(number, kOne, kFunctionLimits[reading_]);
+  if (readings_.follows("ngc.whole=grbl"_reading)) return cut_steps(number, 100);
+  return steps(number, kOne, by_reading(kOne / 10'000, kOne / 10'000));
 }
 
 std::optional<Fixed> WholeNumbers::turns(const Decimal& number) const {
-  return steps(number, kOne, kTurnLimits[reading_]);
+  return steps(number, kOne, by_reading(kOne / 10'000, kOne / 1'000));
 }
 
 // How many steps of `step` counts; `limit` is less than half a step.

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "expanders/common/fixed.hpp"
-#include "expanders/ngc/configuration.hpp"
 #include "expanders/ngc/faults.hpp"
+#include "expanders/ngc/profile.hpp"
 
 namespace gonogo::expanders::ngc {
 
@@ -13,7 +13,8 @@ namespace gonogo::expanders::ngc {
 /// reading ngc.whole.
 class WholeNumbers {
  public:
-  WholeNumbers(Option reading, const Faults& faults) : reading_(reading), faults_(faults) {}
+  WholeNumbers(const Readings& readings, const Faults& faults)
+      : readings_(readings), faults_(faults) {}
 
   // The whole number that is meant; of a G code, of tenths. Nothing when the number lies too far
   // beside one or is too large.
@@ -24,12 +25,14 @@ class WholeNumbers {
   std::optional<Fixed> repeats(const Decimal& number) const { return function(number); }
 
  private:
+  // How far beside a whole number one may lie, in counts of the number as it is written.
+  Fixed by_reading(Fixed nist, Fixed linuxcnc) const;
   std::optional<Fixed> steps(const Decimal& number, Fixed step, Fixed limit) const;
   // The same as grbl has it: cut at the point, and what is behind it rounded to hundredths, of
   // which a step has so many.
   static std::optional<Fixed> cut_steps(const Decimal& number, Fixed hundredths);
 
-  Option reading_;
+  const Readings& readings_;
   const Faults& faults_;
 };
 

@@ -41,6 +41,14 @@ int rounds_of(Machine& machine, const Block& block) {
   return 1;
 }
 
+// SIE-ARC-16: what CR beside a centre is; neither is an error.
+bool centre_counts(const Machine& machine, const Block& block) {
+  return block.has_any(kCentreWords) && machine.follows("sie.cr.centre=centre"_reading);
+}
+bool one_counts(const Machine& machine, const Block& block) {
+  return centre_counts(machine, block) || machine.follows("sie.cr.centre=radius"_reading);
+}
+
 // SIE-ARC-11
 bool check_forms(Machine& machine, const Block& block, const Plane& plane) {
   const bool centre = block.has_any(kCentreWords);
@@ -51,7 +59,7 @@ bool check_forms(Machine& machine, const Block& block, const Plane& plane) {
     refuse(machine, block, kArcWords);
   } else if (!centre && !radius && !(angle && ends)) {
     machine.complain(AlarmKind::kMissingWord);
-  } else if (radius && (centre || angle)) {
+  } else if (radius && (angle || (centre && !one_counts(machine, block)))) {
     machine.complain(AlarmKind::kConflictingWords, Address::kRadius, block);
   } else if (angle && centre && ends) {
     machine.complain(AlarmKind::kConflictingWords, Address::kOpeningAngle, block);
@@ -63,6 +71,8 @@ bool check_forms(Machine& machine, const Block& block, const Plane& plane) {
 
 // SIE-ARC-04
 void take_radius(Machine& machine, const Block& block, Arc& arc) {
+  const Address third = centre_address(arc.plane.d);
+  if (block.has(third)) machine.complain(AlarmKind::kAxisNotInPlane, third, block);
   const Real given = machine.has("inch-centre-unscaled"_fault)
                          ? block.value(Address::kRadius).counts
                          : length_of(machine, block, Address::kRadius);
@@ -194,7 +204,7 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
   if (!sound || machine.in_alarm() || moves_nothing(machine, block, arc)) return;
   if (is_polar(block)) {
     take_pole_circle(machine, block, arc);
-  } else if (block.has(Address::kRadius)) {
+  } else if (block.has(Address::kRadius) && !centre_counts(machine, block)) {
     take_radius(machine, block, arc);
   } else if (!block.has_any(kCentreWords)) {
     take_angle_and_end(machine, block, arc);

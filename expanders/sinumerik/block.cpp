@@ -69,7 +69,7 @@ class BlockReader {
 Block::Reading BlockReader::read() {
   skip();
   if (at('%'))
-    return is_program_name(cursor_, end_) ? Block::Reading::kWords : Block::Reading::kSyntax;
+    return is_program_name(cursor_, end_) ? Block::Reading::kTapeMark : Block::Reading::kSyntax;
   const bool slash = at('/');
   if (slash) {
     ++cursor_;

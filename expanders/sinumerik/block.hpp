@@ -43,9 +43,10 @@ struct Defect {
 class Block {
  public:
   enum class Reading {
-    kWords,    // may be without any
-    kSkipped,  // `/` with the block skip on
-    kOutside,  // a construct that is not implemented: `outside()`
+    kWords,     // may be without any
+    kTapeMark,  // `%`
+    kSkipped,   // `/` with the block skip on
+    kOutside,   // a construct that is not implemented: `outside()`
     kSyntax
   };
 

@@ -21,6 +21,8 @@ class CycleParameters {
   void check_not_negative(int number);
 
  private:
+  bool counts_inches(int number) const;
+
   Machine& machine_;
 };
 

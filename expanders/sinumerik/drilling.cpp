@@ -17,10 +17,17 @@ bool is_measured(int number) {
 
 }  // namespace
 
+// Under G70: lengths, and with the last alternative the feeds of the pocket.
+bool CycleParameters::counts_inches(int number) const {
+  const bool all = machine_.follows("sie.lcyc.unit=inch-with-feeds"_reading);
+  if (number == 122 || number == 123) return all;
+  return is_measured(number) && (all || machine_.follows("sie.lcyc.unit=inch"_reading));
+}
+
 Fixed CycleParameters::operator()(int number) {
   const Decimal value = to_counts(machine_.state.parameters[static_cast<std::size_t>(number)]);
-  const bool inches = machine_.follows("sie.lcyc.unit=inch"_reading) && machine_.state.inch;
-  const Wide length = inches && is_measured(number) ? scaled(value.value, 254, 10) : value.value;
+  const bool inches = machine_.state.inch && counts_inches(number);
+  const Wide length = inches ? scaled(value.value, 254, 10) : value.value;
   if (!value.overflow && in_reach(static_cast<Real>(length))) return static_cast<Fixed>(length);
   complain(AlarmKind::kValueOutOfRange, number);
   return 0;

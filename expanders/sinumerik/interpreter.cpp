@@ -74,12 +74,16 @@ Flow Interpreter::run_line(std::string_view line) {
       return Flow::kAlarm;
     case Block::Reading::kOutside:
       return unsupported(block_.outside());
+    case Block::Reading::kTapeMark:
+      return any_block_ ? Flow::kEnd : Flow::kContinue;
     case Block::Reading::kSkipped:
       return Flow::kContinue;
     case Block::Reading::kWords:
       break;
   }
-  return block_.items() == 0 ? Flow::kContinue : run_block();
+  if (block_.items() == 0) return Flow::kContinue;
+  any_block_ = true;
+  return run_block();
 }
 
 // No text says how far the M functions of the 802S go; to 99 every one has them.

@@ -50,6 +50,7 @@ class Interpreter final : public expanders::Interpreter {
 
   Machine machine_;
   Block block_;
+  bool any_block_ = false;
 };
 
 }  // namespace gonogo::expanders::sinumerik

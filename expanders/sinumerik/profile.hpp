@@ -18,6 +18,7 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"sie.cip.collinear", "straight|alarm"},
     {"sie.arc.correct", "start-radius|project|programmed"},
     {"sie.arc.plane", "ends|helix"},
+    {"sie.cr.centre", "alarm|radius|centre"},
     {"sie.feed-change", "kept|deleted"},
     {"sie.pole.same-plane", "reset|kept"},
     {"sie.g158", "absolute|additive|translation-only"},
@@ -27,7 +28,7 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"sie.infeed", "equal|max-rest"},
     {"sie.infeed-from", "reference|clearance"},
     {"sie.corner", "clamp|reject"},
-    {"sie.lcyc.unit", "mm|inch"},
+    {"sie.lcyc.unit", "mm|inch|inch-with-feeds"},
     {"sie.lc75.r125-limit", "none|alarm"},
     {"sie.lc75.finish-limit", "alarm|none"},
     {"sie.lc75.feed-after", "kept|of-cycle"},
@@ -36,7 +37,7 @@ inline constexpr auto kReadings = std::to_array<ReadingChoices>({
     {"sie.finish.levels", "split"},
     {"sie.pocket.path", "any"},
 });
-inline constexpr std::size_t kReadingsOf840D = 11;
+inline constexpr std::size_t kReadingsOf840D = 12;
 
 consteval Reading operator""_reading(const char* name, std::size_t size) {
   return find_reading(kReadings, {name, size});

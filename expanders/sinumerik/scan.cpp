@@ -5,8 +5,18 @@
 
 namespace gonogo::expanders::sinumerik {
 
+namespace {
+
+bool is_unprinted(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < ' ' || byte == 127;
+}
+
+}  // namespace
+
+// SIE-LEX-01
 void skip_blanks(const char*& cursor, const char* end) {
-  while (cursor != end && (*cursor == ' ' || *cursor == '\t')) ++cursor;
+  while (cursor != end && (*cursor == ' ' || *cursor == '&' || is_unprinted(*cursor))) ++cursor;
 }
 
 bool is_digit(char c) {
@@ -51,7 +61,7 @@ bool at_exponent(const char* cursor, const char* end) {
 
 bool is_program_name(const char* cursor, const char* end) {
   const char* const stop = std::find(cursor, end, ';');
-  return std::all_of(cursor, stop, [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; });
+  return std::all_of(cursor, stop, [](char c) { return static_cast<unsigned char>(c) < 128; });
 }
 
 void skip_label(const char*& cursor, const char* end) {
@@ -68,8 +78,7 @@ bool skip_call(const char*& cursor, const char* end) {
     const char c = *cursor;
     if (c == '"') in_string = !in_string;
     if (in_string) continue;
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte > 126 || (byte < 32 && c != '\t') || c == ';') return false;
+    if (static_cast<unsigned char>(c) > 127 || c == ';') return false;
     if (c == '(') ++depth;
     if (c == ')' && --depth == 0) {
       ++cursor;

@@ -115,7 +115,7 @@ void decide(generate::Choices& choices) {
   fuzz_session()->made(choices);
 }
 
-bool is_engine_linked() {
+bool has_fuzz_engine() {
   return LLVMFuzzerRunDriver != nullptr;
 }
 

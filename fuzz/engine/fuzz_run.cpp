@@ -15,8 +15,8 @@
 #include <system_error>
 #include <thread>
 
-#include "fuzz/engine/engine_process.hpp"
 #include "corpus/io/files.hpp"
+#include "fuzz/engine/engine_process.hpp"
 #include "subjects/make_subject.hpp"
 
 namespace gonogo::fuzz {
@@ -63,6 +63,10 @@ std::string how_it_ended(int status) {
   return fmt::format("The engine's process ended with exit code {}.", WEXITSTATUS(status));
 }
 
+// libFuzzer's own: what a timeout and too much memory end the process with.
+constexpr int kTimeoutExit = 70;
+constexpr int kMemoryExit = 71;
+
 FuzzEnd::Kind kind_of(int status, FuzzStage stage) {
   if (stage == FuzzStage::departed) return FuzzEnd::Kind::departed;
   if (WIFSIGNALED(status)) {
@@ -90,10 +94,6 @@ FuzzEnd end_of(const FuzzOptions& options, int status, const SharedPage& page) {
 }
 
 }  // namespace
-
-bool has_fuzz_engine() {
-  return is_engine_linked();
-}
 
 FuzzEnd run_fuzz_engine(const FuzzOptions& options,
                         const std::function<void(const FuzzCount&)>& progress) {

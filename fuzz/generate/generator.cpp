@@ -8,11 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "fuzz/generate/gsk_generator.hpp"
-#include "fuzz/generate/hnc_generator.hpp"
-#include "fuzz/generate/ngc_generator.hpp"
-#include "fuzz/generate/raw_program.hpp"
-#include "fuzz/generate/sinumerik_generator.hpp"
+#include "fuzz/generate/writers.hpp"
 #include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {

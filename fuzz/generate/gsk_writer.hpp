@@ -6,8 +6,8 @@
 #include <array>
 #include <string>
 
-#include "fuzz/generate/gsk_generator.hpp"
 #include "fuzz/generate/program_writer.hpp"
+#include "fuzz/generate/writers.hpp"
 
 namespace gonogo::generate {
 

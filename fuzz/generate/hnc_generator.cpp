@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/generate/hnc_generator.hpp"
-
 #include <fmt/format.h>
 
 #include "fuzz/generate/hnc_writer.hpp"

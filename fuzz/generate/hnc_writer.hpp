@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "fuzz/generate/hnc_generator.hpp"
 #include "fuzz/generate/program_writer.hpp"
+#include "fuzz/generate/writers.hpp"
 
 namespace gonogo::generate {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/generate/ngc_generator.hpp"
-
 #include <variant>
 
 #include "fuzz/generate/ngc_writer.hpp"
@@ -28,11 +26,7 @@ void NgcWriter::make_state() {
       profile_.initial.at[axis] = Number::millionths(choices_.between(-500'000, 500'000) * 100);
     }
   }
-  if (choices_.one_in(8)) profile_.initial.feed = choices_.between(1, 500);
-  if (choices_.one_in(8)) profile_.initial.motion = choices_.one_in(2) ? 1 : 0;
-  if (choices_.one_in(8)) {
-    profile_.initial.plane = choices_.one_in(2) ? reference::Plane::g18 : reference::Plane::g19;
-  }
+  choose_initial_modes();
   if (choices_.one_in(4)) profile_.initial.spindle = choices_.one_in(2) ? 3 : 4;
 }
 

@@ -11,8 +11,8 @@
 #include <tuple>
 #include <utility>
 
-#include "fuzz/generate/ngc_generator.hpp"
 #include "fuzz/generate/program_writer.hpp"
+#include "fuzz/generate/writers.hpp"
 #include "reference/reading_literal.hpp"
 
 namespace gonogo::generate {

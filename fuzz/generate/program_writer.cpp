@@ -8,21 +8,11 @@
 #include <optional>
 #include <string_view>
 
+#include "fuzz/program/text.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::generate {
 namespace {
-
-// A length in least increments, written with its decimals: 12500 -> "12.5".
-std::string decimal(std::int64_t increments, int decimals) {
-  const bool negative = increments < 0;
-  std::string digits = std::to_string(negative ? -increments : increments);
-  while (static_cast<int>(digits.size()) <= decimals) digits.insert(0, "0");
-  digits.insert(digits.size() - static_cast<std::size_t>(decimals), ".");
-  while (digits.back() == '0') digits.pop_back();
-  if (digits.back() == '.') digits.pop_back();
-  return (negative ? "-" : "") + digits;
-}
 
 // What a word of a letter and a plain decimal says, in least increments; nothing of other words,
 // and of more decimals than these.
@@ -59,7 +49,7 @@ std::int64_t ProgramWriter::unit() const {
 }
 
 std::string ProgramWriter::word(char address, std::int64_t increments) const {
-  return address + decimal(increments, decimals());
+  return address + program::SmallDecimal{increments, decimals()}.text();
 }
 
 std::string ProgramWriter::feed_word() {
@@ -143,6 +133,14 @@ std::string ProgramWriter::code_that_is(reference::Treatment treatment) {
 void ProgramWriter::choose_readings() {
   while (choices_.one_in(2) && !choices_.exhausted()) {
     count("reading " + choose_reading(choices_, profile_));
+  }
+}
+
+void ProgramWriter::choose_initial_modes() {
+  if (choices_.one_in(8)) profile_.initial.feed = choices_.between(1, 500);
+  if (choices_.one_in(8)) profile_.initial.motion = choices_.one_in(2) ? 1 : 0;
+  if (choices_.one_in(8)) {
+    profile_.initial.plane = choices_.one_in(2) ? reference::Plane::g18 : reference::Plane::g19;
   }
 }
 

@@ -82,6 +82,8 @@ class ProgramWriter {
   std::string code_that_is(reference::Treatment treatment);
   // Any alternative of any reading; now and then of several.
   void choose_readings();
+  // Feed, motion and plane of the profile before the first block.
+  void choose_initial_modes();
 
   // Called when a block does not say what the dialect's writer meant.
   virtual void on_fault() {}

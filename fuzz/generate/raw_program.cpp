@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/generate/raw_program.hpp"
+#include "fuzz/generate/writers.hpp"
 
 #include <variant>
 

@@ -231,6 +231,7 @@ bool SinumerikWriter::tool_block(int tool) {
         if (words[1][0] == 'D') words.erase(words.begin() + 1);
     }
   }
+  if (state_.has_m6) words.insert(words.begin() + 1, "M6");
   write(std::move(words), Kind::other);
   return !lacks;
 }

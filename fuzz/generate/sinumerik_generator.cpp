@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/generate/sinumerik_generator.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,12 +42,8 @@ void SinumerikWriter::make_state() {
     profile_.initial.at[reference::kAllAxes[axis]] = Number::millionths(steps * 100);
     state_.at[axis] = Coordinate::exactly(steps);
   }
-  if (choices_.one_in(8)) profile_.initial.feed = choices_.between(1, 500);
-  if (choices_.one_in(8)) profile_.initial.motion = choices_.one_in(2) ? 1 : 0;
-  if (choices_.one_in(8)) {
-    profile_.initial.plane = choices_.one_in(2) ? reference::Plane::g18 : reference::Plane::g19;
-    state_.plane = profile_.initial.plane == reference::Plane::g18 ? 18 : 19;
-  }
+  choose_initial_modes();
+  state_.plane = plane_code(profile_.initial.plane);
   if (choices_.one_in(8)) profile_.initial.spindle = choices_.pick({3, 4});
 }
 

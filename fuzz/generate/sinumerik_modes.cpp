@@ -179,6 +179,14 @@ void SinumerikWriter::syntax_line() {
                           "X=SIN 30\n", "X5 ! Y3\n", "X=5*/2\n"});
 }
 
+// What the machine does beside its axes.
+void SinumerikWriter::machine_block() {
+  const std::string words =
+      choices_.pick({"M8", "M9", "M0", "M1", "M6", "M41", "T4", "D2", "H5=3", "T1 D1 M6"});
+  state_.has_m6 = state_.has_m6 || words.ends_with("M6");
+  write({words}, Kind::other);
+}
+
 void SinumerikWriter::ignored_block() {
   count("ignored");
   if (choices_.one_in(2)) return write({code_that_is(Treatment::without_effect)}, Kind::other);
@@ -209,9 +217,7 @@ void SinumerikWriter::mode_block() {
       return ignored_block();
     case 10:
       if (choices_.one_in(3)) return ignored_block();
-      return write(
-          {choices_.pick({"M8", "M9", "M0", "M1", "M6", "M41", "T4", "D2", "H5=3", "T1 D1 M6"})},
-          Kind::other);
+      return machine_block();
     default:
       count("no motion");
       text_ += choices_.pick({"\n", ";only a comment\n", "N77\n", "/\n", " \t\n", ":5\n",

@@ -75,6 +75,7 @@ struct SinumerikState {
   std::optional<std::int64_t> radius;
   bool at_polar = false;   // the tool stands at that angle and radius
   std::int64_t speed = 0;  // S in force; 0: not known
+  bool has_m6 = false;     // no text says which tool a T without M6 leaves in force then
   // R parameters in thousandths.
   std::map<int, std::int64_t> parameters;
 

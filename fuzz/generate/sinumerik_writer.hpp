@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fuzz/generate/program_writer.hpp"
-#include "fuzz/generate/sinumerik_generator.hpp"
 #include "fuzz/generate/sinumerik_state.hpp"
+#include "fuzz/generate/writers.hpp"
 
 namespace gonogo::generate {
 
@@ -55,6 +55,7 @@ class SinumerikWriter final : ProgramWriter {
   void dwell_block();
   void outside_block();
   void ignored_block();
+  void machine_block();
   void syntax_line();
   void units_words(Words& words);
   void feed_mode_words(Words& words);

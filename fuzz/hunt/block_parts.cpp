@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/hunt/block_parts.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -190,11 +193,9 @@ void add_together(const TextBlock& block, Parts& parts) {
   }
   if (is_twice) parts.insert("text words that stand twice");
   if (codes.empty() && addresses.empty()) return;
-  std::string together;
-  for (const Parts* kind : {&codes, &addresses}) {
-    for (const std::string& name : *kind) together += (together.empty() ? "" : "+") + name;
-  }
-  parts.insert(std::string(kBlock) + together);
+  std::vector<std::string> together(codes.begin(), codes.end());
+  together.insert(together.end(), addresses.begin(), addresses.end());
+  parts.insert(fmt::format("{}{}", kBlock, fmt::join(together, "+")));
   if (codes.empty()) parts.insert("text blocks without a code");
   if (codes.size() > 1) parts.insert("text several codes in a block");
 }

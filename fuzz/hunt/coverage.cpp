@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <string>
 
-#include "oracle/steps/program_input.hpp"
 #include "fuzz/program/modes.hpp"
+#include "oracle/steps/program_input.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::hunt {
@@ -206,8 +205,8 @@ std::size_t cost_of(const Item& item) {
 }
 
 // All that the reference does with the program, and what that costs; nothing: more than that.
-std::optional<std::size_t> collect(const generate::GeneratedProgram& program,
-                                   std::size_t most_cost, Collector& collector) {
+std::optional<std::size_t> collect(const generate::GeneratedProgram& program, std::size_t most_cost,
+                                   Collector& collector) {
   std::size_t cost = 0;
   oracle::ProgramInput input(program.text);
   reference::Expander expander(program.profile, input.lines, reference::OpenPaths::judged);

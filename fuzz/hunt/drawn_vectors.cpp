@@ -28,16 +28,6 @@ std::optional<oracle::Case> drawn_case(const generate::GeneratedProgram& program
 
 }  // namespace
 
-DrawnVectors draw_vectors(const generate::Generator& generator,
-                          const generate::GeneratorSettings& settings, std::uint64_t seed,
-                          std::size_t programs, std::string_view gonogo) {
-  const auto source = [&](std::uint64_t one) -> std::optional<generate::GeneratedProgram> {
-    generate::Choices choices(one);
-    return generator.generate(choices, settings, nullptr);
-  };
-  return draw_vectors(source, seed, programs, gonogo);
-}
-
 DrawnVectors draw_vectors(const ProgramDraw& source, std::uint64_t seed, std::size_t programs,
                           std::string_view gonogo) {
   DrawnVectors drawn;

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "fuzz/generate/generator.hpp"
 #include "corpus/io/corpus.hpp"
+#include "fuzz/generate/generator.hpp"
 
 namespace gonogo::hunt {
 
@@ -31,8 +31,5 @@ using ProgramDraw = std::function<std::optional<generate::GeneratedProgram>(std:
 // provenance.
 DrawnVectors draw_vectors(const ProgramDraw& source, std::uint64_t seed, std::size_t programs,
                           std::string_view gonogo);
-DrawnVectors draw_vectors(const generate::Generator& generator,
-                          const generate::GeneratorSettings& settings, std::uint64_t seed,
-                          std::size_t programs, std::string_view gonogo);
 
 }  // namespace gonogo::hunt

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
-#include <system_error>
 
 #include "corpus/io/recheck.hpp"
 #include "fuzz/hunt/judged_sheet.hpp"

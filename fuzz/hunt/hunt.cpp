@@ -35,7 +35,7 @@ bool is_of(const std::optional<Verdict>& verdict, const generate::GeneratedProgr
 bool counts_by(const HuntOptions& options, const Verdict& verdict,
                const generate::GeneratedProgram& program) {
   if (options.everywhere || !oracle::is_other_answer(verdict.kind)) return true;
-  return oracle::outside_domain(program.profile, program.text, options.most_cost).empty();
+  return oracle::outside_domain(program.profile, program.text, kMostCostInHunt).empty();
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ Specimen Hunt::mutant() {
 }
 
 void Hunt::offer(const generate::GeneratedProgram& program) {
-  const auto coverage = coverage_of(program, options_.most_cost);
+  const auto coverage = coverage_of(program, kMostCostInHunt);
   if (options_.guided && coverage) pool_.offer({program, {}}, *coverage);
 }
 
@@ -138,7 +138,7 @@ std::optional<Finding> Hunt::step() {
     return std::nullopt;
   }
   const Specimen& specimen = *fitted;
-  auto coverage = coverage_of(specimen.program, options_.most_cost);
+  auto coverage = coverage_of(specimen.program, kMostCostInHunt);
   if (!coverage) {
     ++count_.too_long;
     return std::nullopt;
@@ -197,7 +197,7 @@ std::optional<Finding> Hunt::examine(const Verdict& verdict,
   Finding finding{signature_of(verdict, program), verdict, {{}, program}, count_.programs};
   ++seen_[finding.signature];
   if (known_.contains(finding.signature)) return std::nullopt;
-  if (oracle::contradicts_itself(program.profile, program.text, options_.most_cost)) {
+  if (oracle::contradicts_itself(program.profile, program.text, kMostCostInHunt)) {
     --count_.no_go;
     ++count_.gaps;
     return std::nullopt;
@@ -273,7 +273,7 @@ void Hunt::reduce(Finding& finding, const ReduceLimits& limits, const StillShows
 bool is_news(const HuntOptions& options, const Verdict& verdict,
              const generate::GeneratedProgram& program) {
   return is_finding(verdict) && !options.known.contains(signature_of(verdict, program)) &&
-         !oracle::contradicts_itself(program.profile, program.text, options.most_cost) &&
+         !oracle::contradicts_itself(program.profile, program.text, kMostCostInHunt) &&
          counts_by(options, verdict, program);
 }
 

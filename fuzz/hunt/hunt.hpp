@@ -20,12 +20,14 @@
 
 namespace gonogo::hunt {
 
+// Of one program, as of coverage_of(). What costs more is not judged.
+inline constexpr std::size_t kMostCostInHunt = 3'000;
+
 struct HuntOptions : GivenMachine {
   std::string dialect;
   std::uint64_t seed = 1;
   bool guided = true;                    // false: generated programs only
   generate::GeneratorSettings settings;  // of the programs that are generated
-  std::size_t most_cost = 3'000;         // of one program, as of coverage_of()
   // What a subject does on a program outside of docs/domain.md is no finding, except what ends it.
   bool everywhere = false;
   std::set<Signature> known;  // not reported again

@@ -113,12 +113,6 @@ std::size_t CampaignFinding::programs() const {
   return sum;
 }
 
-std::size_t HuntSummary::symptoms() const {
-  std::size_t sum = 0;
-  for (const CampaignFinding& finding : findings) sum += finding.symptoms.size();
-  return sum;
-}
-
 std::size_t HuntSummary::standing() const {
   return static_cast<std::size_t>(std::ranges::count_if(findings, &CampaignFinding::stands));
 }

@@ -54,7 +54,6 @@ struct HuntSummary {
   std::optional<std::chrono::system_clock::time_point> ended;
   std::vector<CampaignFinding> findings;  // those that stand first, by gravity, then by programs
 
-  std::size_t symptoms() const;
   std::size_t standing() const;  // findings
 };
 

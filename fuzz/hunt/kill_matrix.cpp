@@ -2,12 +2,14 @@
 #include "fuzz/hunt/kill_matrix.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
+#include "campaign/campaign.hpp"
+#include "campaign/reading_tally.hpp"
 #include "fuzz/hunt/operation_hunt.hpp"
 #include "fuzz/hunt/property_hunt.hpp"
 #include "fuzz/hunt/witness.hpp"
-#include "campaign/campaign.hpp"
-#include "campaign/reading_tally.hpp"
 #include "fuzz/program/text.hpp"
 
 namespace gonogo::hunt {
@@ -75,11 +77,42 @@ std::size_t blocks_of(const Reproducer& reproducer) {
   return blocks;
 }
 
+// Reduces a finding and says what it is.
+using Describe = std::function<void(Kill& kill)>;
+
+// Programs until one is a finding of the fault. `try_one` gets the number of the program, from 0;
+// null: it is none. Without a fault there are `most_clean` of them.
+template <typename Try>
+Kill until_killed(const MatrixTarget& target, const MatrixOptions& options, Watch& watch,
+                  std::size_t most_clean, const Try& try_one) {
+  const bool has_fault = !target.clause.empty();
+  const std::size_t most = has_fault ? SIZE_MAX : most_clean;
+  watch.start();
+  Kill kill;
+  while (kill.executions < most && !(has_fault && watch.seconds() > options.most_seconds)) {
+    const Describe describe = try_one(kill.executions++);
+    watch.note(kill);
+    if (!describe) continue;
+    kill.killed = true;
+    kill.seconds = watch.seconds();
+    describe(kill);
+    return kill;
+  }
+  kill.seconds = watch.seconds();
+  return kill;
+}
+
 // The dialects of the expander in turn, until there is a finding.
 Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool guided) {
   TrialOptions trial;
+  trial.grants.strict = true;  // a fault may be planted where no text says anything
+  // What the expander without the fault shows too is not of the fault.
+  Trial control(target.control, trial);
+  const StillShows is_of_the_fault = [&](const Reproducer& reproducer) {
+    const std::optional<oracle::Verdict> verdict = control.run_alone(reproducer);
+    return target.clause.empty() || (verdict && decision(verdict->kind) == oracle::Decision::go);
+  };
   trial.blind = options.blind;
-  trial.strict = true;  // a fault may be planted where no text says anything
   Watch watch(target);
   std::vector<std::unique_ptr<Hunt>> hunts;
   for (const std::string& dialect : target.dialects) {
@@ -91,33 +124,18 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
     hunt.everywhere = !target.clause.empty();
     hunts.push_back(std::make_unique<Hunt>(watch.make(), trial, std::move(hunt)));
   }
-  // What the expander without the fault shows too is not of the fault.
-  TrialOptions of_control;
-  of_control.strict = true;
-  Trial control(target.control, of_control);
-  const StillShows is_of_the_fault = [&](const Reproducer& reproducer) {
-    const std::optional<oracle::Verdict> verdict = control.run_alone(reproducer);
-    return target.clause.empty() || (verdict && decision(verdict->kind) == oracle::Decision::go);
+  const auto try_one = [&](std::size_t number) -> Describe {
+    Hunt* const hunt = hunts[number % hunts.size()].get();
+    std::optional<Finding> finding = hunt->step();
+    if (!finding || decision(finding->verdict.kind) != oracle::Decision::no_go) return nullptr;
+    if (!is_of_the_fault(finding->reproducer)) return nullptr;
+    return [hunt, &is_of_the_fault, finding = *std::move(finding)](Kill& kill) mutable {
+      hunt->reduce(finding, {}, is_of_the_fault);
+      kill.blocks = blocks_of(finding.reproducer);
+      kill.how = finding.signature.text();
+    };
   };
-  watch.start();
-  Kill kill;
-  const std::size_t most = target.clause.empty() ? options.clean_programs * hunts.size() : SIZE_MAX;
-  const bool is_timed = !target.clause.empty();
-  while (kill.executions < most && !(is_timed && watch.seconds() > options.most_seconds)) {
-    Hunt& hunt = *hunts[kill.executions++ % hunts.size()];
-    std::optional<Finding> finding = hunt.step();
-    watch.note(kill);
-    if (!finding || decision(finding->verdict.kind) != oracle::Decision::no_go) continue;
-    if (!is_of_the_fault(finding->reproducer)) continue;
-    kill.killed = true;
-    kill.seconds = watch.seconds();
-    hunt.reduce(*finding, {}, is_of_the_fault);
-    kill.blocks = blocks_of(finding->reproducer);
-    kill.how = finding->signature.text();
-    return kill;
-  }
-  kill.seconds = watch.seconds();
-  return kill;
+  return until_killed(target, options, watch, options.clean_programs * hunts.size(), try_one);
 }
 
 // The dialects of the expander in turn, until its answers contradict each other.
@@ -133,30 +151,23 @@ Kill run_properties(const MatrixTarget& target, const MatrixOptions& options) {
   }
   hunt.blind = false;
   PropertyHunt control(target.control, hunt);
-  const bool has_fault = !target.clause.empty();
-  const std::size_t most = has_fault ? SIZE_MAX : options.clean_programs * hunts.size();
-  watch.start();
-  Kill kill;
-  while (kill.executions < most && !(has_fault && watch.seconds() > options.most_seconds)) {
-    PropertyHunt& one = *hunts[kill.executions++ % hunts.size()];
-    std::optional<PropertyFinding> finding = one.step();
-    watch.note(kill);
-    if (!finding) continue;
+  const auto try_one = [&](std::size_t number) -> Describe {
+    PropertyHunt* const one = hunts[number % hunts.size()].get();
+    std::optional<PropertyFinding> finding = one->step();
+    if (!finding) return nullptr;
     // What the expander without the fault shows too is not of the fault.
-    const StillShows is_of_the_fault = [&](const Reproducer& reproducer) {
-      return !has_fault ||
-             !control.differs(reproducer.program, *finding->relation, finding->variant);
+    const StillShows is_of_the_fault = [&, relation = finding->relation,
+                                        variant = finding->variant](const Reproducer& reproducer) {
+      return target.clause.empty() || !control.differs(reproducer.program, *relation, variant);
     };
-    if (!is_of_the_fault({{}, finding->program})) continue;
-    kill.killed = true;
-    kill.seconds = watch.seconds();
-    one.reduce(*finding, {}, is_of_the_fault);
-    kill.blocks = count_blocks(finding->program.text);
-    kill.how = finding->signature();
-    return kill;
-  }
-  kill.seconds = watch.seconds();
-  return kill;
+    if (!is_of_the_fault({{}, finding->program})) return nullptr;
+    return [one, is_of_the_fault, finding = *std::move(finding)](Kill& kill) mutable {
+      one->reduce(finding, {}, is_of_the_fault);
+      kill.blocks = count_blocks(finding.program.text);
+      kill.how = finding.signature();
+    };
+  };
+  return until_killed(target, options, watch, options.clean_programs * hunts.size(), try_one);
 }
 
 // Lists of operations until the target departs from its peers or from itself, or is unsafe.
@@ -168,50 +179,31 @@ Kill run_operations(const MatrixTarget& target, const MatrixOptions& options) {
   OperationOptions operations;
   operations.seed = options.seed;
   OperationHunt hunt(std::move(subjects), std::move(operations));
-  const bool has_fault = !target.clause.empty();
-  const std::size_t most = has_fault ? SIZE_MAX : options.clean_programs;
-  watch.start();
-  Kill kill;
-  while (kill.executions < most && !(has_fault && watch.seconds() > options.most_seconds)) {
-    ++kill.executions;
-    const std::vector<OperationFinding> findings = hunt.step();
-    watch.note(kill);
-    for (const OperationFinding& finding : findings) {
+  const auto try_one = [&](std::size_t) -> Describe {
+    for (const OperationFinding& finding : hunt.step()) {
       if (finding.second.subject != target.name || options.blind) continue;
-      kill.killed = true;
-      kill.seconds = watch.seconds();
-      kill.blocks = count_blocks(finding.second.text);
-      kill.how = finding.signature();
-      return kill;
+      return [finding](Kill& kill) {
+        kill.blocks = count_blocks(finding.second.text);
+        kill.how = finding.signature();
+      };
     }
-  }
-  kill.seconds = watch.seconds();
-  return kill;
+    return nullptr;
+  };
+  return until_killed(target, options, watch, options.clean_programs, try_one);
 }
 
 }  // namespace
 
 std::string_view name(Method method) {
-  switch (method) {
-    case Method::corpus:
-      return "corpus";
-    case Method::properties:
-      return "properties";
-    case Method::operations:
-      return "operations";
-    case Method::hunt:
-      return "hunt";
-    case Method::fuzz:
-      return "fuzz";
-  }
-  return "";
+  constexpr auto kNames =
+      std::to_array<std::string_view>({"corpus", "properties", "operations", "hunt", "fuzz"});
+  return kNames[static_cast<std::size_t>(method)];
 }
 
 std::optional<Method> method_named(std::string_view text) {
-  for (const Method method : kMethods) {
-    if (name(method) == text) return method;
-  }
-  return std::nullopt;
+  const auto* const found =
+      std::ranges::find(kMethods, text, [](Method method) { return name(method); });
+  return found == std::end(kMethods) ? std::nullopt : std::optional(*found);
 }
 
 MatrixRow matrix_row(const MatrixTarget& target, const MatrixOptions& options) {

@@ -124,7 +124,7 @@ std::optional<OperationHunt::Answer> OperationHunt::answer(Seat& seat,
   if (answer.program.text.empty()) return std::nullopt;
   const auto profile =
       std::get<reference::Profile>(reference::default_profile(std::string(notation.dialect)));
-  answer.trace = trace_of(*seat.subject, {profile, answer.program.text}, options_.most_records);
+  answer.trace = trace_of(*seat.subject, {profile, answer.program.text});
   if (answer.trace.end.given_up) {
     seat.subject = seat.make();
     seat.subject->set_run_limit(options_.run_limit);

@@ -23,7 +23,6 @@ struct OperationOptions {
   std::vector<std::string> dialects;           // only these; empty: all that the subjects declare
   std::optional<reference::Number> tolerance;  // mm; nothing: the coarsest of the two resolutions
   std::chrono::milliseconds run_limit{2'000};
-  std::size_t most_records = 5'000;
 };
 
 // A program of the list, and who ran it.

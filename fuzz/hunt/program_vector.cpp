@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/hunt/program_vector.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "corpus/io/recheck.hpp"
+#include "fuzz/program/features.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/steps/program_input.hpp"
-#include "fuzz/program/features.hpp"
 #include "reference/dialect.hpp"
 #include "reference/expander.hpp"
 

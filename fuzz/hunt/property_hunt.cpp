@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "fuzz/hunt/signature.hpp"
 #include "fuzz/program/modes.hpp"
 
@@ -21,13 +19,13 @@ bool broke_down(const relations::Trace& trace) {
 
 }  // namespace
 
-relations::Trace trace_of(oracle::Subject& subject, const generate::GeneratedProgram& program,
-                          std::size_t most_records) {
+relations::Trace trace_of(oracle::Subject& subject, const generate::GeneratedProgram& program) {
+  constexpr std::size_t kMostRecords = 5'000;
   relations::Trace trace;
   subject.configure(program.profile);
   trace.end = subject.run("related", program.text, [&](const reference::Record& record) {
     trace.records.push_back(record);
-    return trace.records.size() <= most_records;
+    return trace.records.size() <= kMostRecords;
   });
   return trace;
 }
@@ -48,7 +46,7 @@ PropertyHunt::PropertyHunt(SubjectMaker make, PropertyOptions options)
 }
 
 relations::Trace PropertyHunt::run(const generate::GeneratedProgram& program) {
-  relations::Trace trace = trace_of(*subject_, program, options_.most_records);
+  relations::Trace trace = trace_of(*subject_, program);
   if (trace.end.given_up) {
     subject_ = make_();
     subject_->set_run_limit(options_.run_limit);

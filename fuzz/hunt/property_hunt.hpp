@@ -14,9 +14,8 @@
 
 namespace gonogo::hunt {
 
-// What the subject puts out of the program, stopped behind so many records.
-relations::Trace trace_of(oracle::Subject& subject, const generate::GeneratedProgram& program,
-                          std::size_t most_records);
+// What the subject puts out of the program, stopped behind 5,000 records.
+relations::Trace trace_of(oracle::Subject& subject, const generate::GeneratedProgram& program);
 
 struct PropertyOptions : GivenMachine {
   std::string dialect;
@@ -25,8 +24,7 @@ struct PropertyOptions : GivenMachine {
   std::optional<reference::Number>
       tolerance;  // mm; nothing: the subject's resolution, else the machine's
   std::chrono::milliseconds run_limit{2'000};
-  std::size_t most_records = 5'000;  // of a program
-  bool blind = false;                // for the check of the bench: everything agrees
+  bool blind = false;  // for the check of the bench: everything agrees
 };
 
 // Two programs whose answers disagree.

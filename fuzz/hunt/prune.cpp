@@ -61,7 +61,7 @@ std::vector<generate::GeneratedProgram> needed_programs(
   };
   std::vector<Shown> order;
   for (std::size_t i = 0; i < programs.size(); ++i) {
-    auto coverage = coverage_of(programs[i], HuntOptions().most_cost);
+    auto coverage = coverage_of(programs[i], kMostCostInHunt);
     if (coverage) order.push_back({i, *std::move(coverage)});
   }
   std::ranges::sort(order, {}, [&](const Shown& one) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/hunt/sign_coverage.hpp"
 
-#include <algorithm>
-
 #include "fuzz/hunt/hunt.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/steps/program_input.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/hunt/simpler.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 
 namespace gonogo::hunt {

@@ -39,6 +39,10 @@ bool is_feature(const std::string& part) {
   return part.starts_with(kFeature);
 }
 
+bool is_setting(const std::string& part) {
+  return part.starts_with(kSetting);
+}
+
 std::string setting(std::size_t part) {
   return fmt::format("{}{}", kSetting, part);
 }
@@ -142,12 +146,9 @@ bool SupportedFeatures::is_undeclared(const std::string& part) const {
 // A subject that took none of several settings takes no other.
 bool SupportedFeatures::is_like_what_is_out(const std::string& part) const {
   constexpr std::ptrdiff_t kEnough = 4;
-  if (!part.starts_with(kSetting)) return false;
-  const auto is_setting = [](const std::string& other) { return other.starts_with(kSetting); };
-  const bool any_in =
-      std::ranges::any_of(in_, [&](const auto& known) { return is_setting(known.first); });
-  return !any_in && std::ranges::count_if(
-                        out_, [&](const auto& out) { return is_setting(out.first); }) >= kEnough;
+  const auto is_one = [](const auto& other) { return is_setting(other.first); };
+  return is_setting(part) && std::ranges::none_of(in_, is_one) &&
+         std::ranges::count_if(out_, is_one) >= kEnough;
 }
 
 // What stands together may be to blame for a number that it had once: it is tried twice.
@@ -169,12 +170,6 @@ bool SupportedFeatures::admits(const std::string& part, Trying& trying) const {
   return true;
 }
 
-void SupportedFeatures::fit_settings(reference::Profile& profile, Trying& trying) const {
-  for (const std::size_t part : settings_of(profile)) {
-    if (!admits(setting(part), trying)) reset_part(profile, part);
-  }
-}
-
 // Words alone go where the rest may stay: without its code a block means something else.
 std::string SupportedFeatures::fitted_block(const TextBlock& block,
                                             const reference::Descriptor& table,
@@ -190,14 +185,6 @@ std::string SupportedFeatures::fitted_block(const TextBlock& block,
   }
   if (kept.words.size() != block.words.size()) return program::line_text(kept);  // likewise
   return std::ranges::all_of(parts_of_block(block, table), is_admitted) ? text : std::string();
-}
-
-std::string SupportedFeatures::fitted_text(const ProgramText& text, Trying& trying) const {
-  std::string fitted;
-  for (const TextBlock& block : text.blocks) {
-    fitted += fitted_block(block, *text.table, trying);
-  }
-  return fitted;
 }
 
 // Later only now and then: what is untried is mostly skipped.
@@ -227,7 +214,7 @@ std::optional<std::string> SupportedFeatures::least_blamed(
     const generate::GeneratedProgram& program) const {
   std::optional<std::string> least;
   for (const std::string& part : parts_of(program, std::string::npos)) {
-    if (!is_out(part) || part.starts_with(kSetting)) continue;
+    if (!is_out(part) || is_setting(part)) continue;
     if (!least || out_.at(part) < out_.at(*least)) least = part;
   }
   return least;
@@ -275,11 +262,14 @@ std::optional<generate::GeneratedProgram> SupportedFeatures::fitted(
   }
   Trying trying = next_try(program);
   generate::GeneratedProgram made = program;
-  fit_settings(made.profile, trying);
+  for (const std::size_t part : settings_of(made.profile)) {
+    if (!admits(setting(part), trying)) reset_part(made.profile, part);
+  }
   // What is left may mean something else, and need something else.
   while (true) {
     const ProgramText text(made.profile, made.text);
-    std::string next = fitted_text(text, trying);
+    std::string next;
+    for (const TextBlock& block : text.blocks) next += fitted_block(block, *text.table, trying);
     if (next == made.text) break;
     made.text = std::move(next);
   }

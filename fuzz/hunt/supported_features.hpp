@@ -79,9 +79,7 @@ class SupportedFeatures {
   // Whether the part may stand in the program that is made now; one that is tried is noted in
   // `trying`.
   bool admits(const std::string& part, Trying& trying) const;
-  void fit_settings(reference::Profile& profile, Trying& trying) const;
-  // The text with the blocks and words left out that may not stand there.
-  std::string fitted_text(const program::ProgramText& text, Trying& trying) const;
+  // The block without the words that may not stand there; empty where it may not itself.
   std::string fitted_block(const program::TextBlock& block, const reference::Descriptor& table,
                            Trying& trying) const;
 

@@ -44,18 +44,11 @@ oracle::RunEnd Trial::run_once(oracle::Subject& subject, const generate::Generat
   return end;
 }
 
-oracle::Tolerances Trial::tolerances_for(const oracle::Subject& subject,
-                                         const reference::Profile& profile) const {
-  oracle::Tolerances tolerances = make_tolerances(
-      subject.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
-  tolerances.strict = options_.strict;
-  return tolerances;
-}
-
 std::optional<oracle::Verdict> Trial::judge(oracle::Subject& subject,
                                             const generate::GeneratedProgram& program,
                                             JudgedRun* judged) {
-  const oracle::Tolerances tolerances = tolerances_for(subject, program.profile);
+  const oracle::Tolerances tolerances =
+      make_tolerances(subject.info(), program.profile, options_.grants);
   oracle::Verdict verdict;
   try {
     oracle::JudgeSession session(program.profile, program.text, tolerances);
@@ -124,10 +117,10 @@ JudgedRun Trial::examine(const Reproducer& reproducer) {
   if (decision(judged.verdict.kind) == oracle::Decision::no_go && comparable &&
       judged.records.size() < kKeptRecords) {
     constexpr std::size_t kMostJudged = 200'000;
-    judged.verdict.reading =
-        oracle::explaining_reading(reproducer.program.profile, reproducer.program.text,
-                                   tolerances_for(subject, reproducer.program.profile),
-                                   judged.records, judged.end, kMostJudged);
+    const auto& [profile, text] = reproducer.program;
+    judged.verdict.reading = oracle::explaining_reading(
+        profile, text, make_tolerances(subject.info(), profile, options_.grants), judged.records,
+        judged.end, kMostJudged);
   }
   second_.reset();
   return judged;

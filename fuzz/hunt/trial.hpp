@@ -12,6 +12,7 @@
 #include "fuzz/hunt/specimen.hpp"
 #include "oracle/differential/subject.hpp"
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/motion/tolerances.hpp"
 
 namespace gonogo::hunt {
 
@@ -19,13 +20,10 @@ using SubjectMaker = std::function<std::unique_ptr<oracle::Subject>()>;
 
 // How the subject is judged.
 struct TrialOptions {
-  std::optional<reference::Number> tolerance;         // mm; nothing: as declared
-  std::optional<reference::Number> chord;             // mm
-  std::optional<reference::Number> feed_resolution;   // mm/min or mm/rev
+  oracle::Grants grants;
   std::shared_ptr<const oracle::AlarmMap> alarm_map;  // null: the subject's classes as they are
   std::chrono::milliseconds run_limit{2'000};
   std::size_t most_records = 5'000;  // of a program, where all of them agree
-  bool strict = false;               // a departure from what no text states is NO-GO, too
   bool blind = false;  // for the check of the bench: a judge that says GO to everything
 };
 
@@ -63,8 +61,6 @@ class Trial {
   std::chrono::milliseconds run_limit() const { return options_.run_limit; }
 
  private:
-  oracle::Tolerances tolerances_for(const oracle::Subject& subject,
-                                    const reference::Profile& profile) const;
   std::optional<oracle::Verdict> judge(oracle::Subject& subject,
                                        const generate::GeneratedProgram& program,
                                        JudgedRun* judged);

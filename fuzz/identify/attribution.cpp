@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <set>
 #include <string_view>
 
 namespace gonogo::identify {
 
 namespace {
 
+constexpr std::size_t kAlike = 32;   // programs with the code that departs
+constexpr std::size_t kOthers = 12;  // and without it
+constexpr std::size_t kMore = 400;   // on which the explanations of all these are tried too
 constexpr std::size_t kMostBytes = 4'000;
 constexpr std::size_t kMostPartial = 10;
 constexpr std::size_t kTriedFirst = 8;  // departures: who explains none of them, explains few
@@ -20,7 +22,7 @@ constexpr std::size_t kMostTried = 12;  // mistakes on further programs, except 
 
 class Attributor {
  public:
-  Attributor(oracle::Subject& subject, const AttributionOptions& options)
+  Attributor(oracle::Subject& subject, const ExplanationOptions& options)
       : explainer_(subject, options) {}
 
   // Gives the program to the subject; and tries on it what explains everything so far.
@@ -159,7 +161,7 @@ struct Programs {
 
 // Programs with what the subject does not declare tell no mistake.
 Programs programs_like(const oracle::Corpus& corpus, const Observation& seen,
-                       const oracle::SubjectInfo& info, const AttributionOptions& options) {
+                       const oracle::SubjectInfo& info) {
   const Motions codes = codes_that_matter(seen);
   std::vector<ProgramAsked> alike;
   std::vector<ProgramAsked> others;
@@ -177,21 +179,21 @@ Programs programs_like(const oracle::Corpus& corpus, const Observation& seen,
     });
     (like ? alike : others).push_back({test->id, test->program, test->profile});
   }
-  Programs programs{spread(alike, options.alike), spread(alike, options.more * 3 / 4)};
-  std::ranges::move(spread(others, options.others), std::back_inserter(programs.first));
-  std::ranges::move(spread(others, options.more / 4), std::back_inserter(programs.then));
+  Programs programs{spread(alike, kAlike), spread(alike, kMore * 3 / 4)};
+  std::ranges::move(spread(others, kOthers), std::back_inserter(programs.first));
+  std::ranges::move(spread(others, kMore / 4), std::back_inserter(programs.then));
   return programs;
 }
 
 }  // namespace
 
 Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
-                      const ProgramAsked& asked, const AttributionOptions& options) {
+                      const ProgramAsked& asked, const ExplanationOptions& options) {
   Attributor attributor(subject, options);
   attributor.observe(asked);
   Observation seed{asked.id, asked.program, asked.profile, {}, {}, 0, {}, {}};
   if (!attributor.programs().empty()) seed = attributor.programs().front();
-  const Programs programs = programs_like(corpus, seed, subject.info(), options);
+  const Programs programs = programs_like(corpus, seed, subject.info());
   for (const ProgramAsked& other : programs.first) attributor.observe(other);
   // What is left over from program to program shows the second time only.
   attributor.observe(asked);

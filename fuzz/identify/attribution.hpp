@@ -12,12 +12,6 @@
 
 namespace gonogo::identify {
 
-struct AttributionOptions : ExplanationOptions {
-  std::size_t alike = 32;   // programs with the code that departs
-  std::size_t others = 12;  // and without it
-  std::size_t more = 400;   // on which the explanations of all these are tried too
-};
-
 struct Cause {
   std::string name;
   std::size_t departures = 0;  // that it explains in full
@@ -45,7 +39,7 @@ struct Attribution {
 // Runs the program on the subject, and similar programs of the corpus. Throws
 // SubjectUnusable, CorpusError.
 Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
-                      const ProgramAsked& asked, const AttributionOptions& options);
+                      const ProgramAsked& asked, const ExplanationOptions& options);
 
 // The simplest of those that explain most. Empty: no mistake explains more than half of what
 // departs, three quarters of it and two programs where a word or a code is misread, and all that

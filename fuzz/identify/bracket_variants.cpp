@@ -4,9 +4,11 @@
 // has neither.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "fuzz/identify/variant.hpp"
+#include "grammar/byte_set.hpp"
 
 namespace gonogo::identify {
 namespace {
@@ -23,6 +25,7 @@ void add_brackets(const std::set<std::string>& addresses, Variants& out) {
                           : fmt::format("{}{} does what {} does", name, of, instead),
           [=](const TextBlock&, const TextWord& word) -> std::optional<std::string> {
             std::string text = word.text;
+            std::ranges::transform(text, text.begin(), grammar::capital_of);
             const std::size_t at = text.find(fmt::format("{}(", name));
             const bool is_meant = addresses.empty() || addresses.contains(name_of(word));
             if (!is_meant || at == std::string::npos) return std::nullopt;
@@ -34,10 +37,9 @@ void add_brackets(const std::set<std::string>& addresses, Variants& out) {
 }
 
 // X10 read as X=AC(10) or X=IC(10) while the mode in force says otherwise.
-void add_read_as(const std::set<std::string>& addresses, const reference::Descriptor& table,
-                 Variants& out) {
-  for (const auto mode : {reference::Setting::absolute, reference::Setting::incremental}) {
-    const bool is_incremental = mode == reference::Setting::incremental;
+void add_read_as(const std::set<std::string>& addresses, const Descriptor& table, Variants& out) {
+  for (const auto mode : {Setting::absolute, Setting::incremental}) {
+    const bool is_incremental = mode == Setting::incremental;
     for (const std::string_view name : {"AC", "IC"}) {
       add_edit(
           fmt::format("{} is taken as {} under {}", fmt::join(addresses, " "), name,
@@ -60,7 +62,7 @@ void add_read_as(const std::set<std::string>& addresses, const reference::Descri
 
 void add_bracket_variants(const Observation& departure, Variants& out) {
   if (!departure.profile.dialect.starts_with("sinumerik")) return;
-  const reference::Descriptor& table = *ProgramText(departure.profile, departure.program).table;
+  const Descriptor& table = *ProgramText(departure.profile, departure.program).table;
   add_brackets({}, out);
   for (const std::set<std::string>& kin : kin_addresses(table)) {
     if (kin.empty()) continue;

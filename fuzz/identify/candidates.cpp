@@ -123,17 +123,6 @@ std::vector<ReadingValue> Candidates::values(ReadingKey key) const {
   return {values.begin(), values.end()};
 }
 
-PartialAssignment Candidates::first() const {
-  PartialAssignment assignment;
-  for (const Group& group : groups_) {
-    for (std::size_t i = 0; i < group.keys.size(); ++i) {
-      assignment.emplace_back(group.keys[i], group.rows.front()[i]);
-    }
-  }
-  std::ranges::sort(assignment);
-  return assignment;
-}
-
 double Candidates::bits() const {
   double bits = 0;
   for (const Group& group : groups_) bits += std::log2(static_cast<double>(group.rows.size()));

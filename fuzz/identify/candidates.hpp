@@ -15,6 +15,7 @@
 
 namespace gonogo::identify {
 
+using reference::Reading;
 using reference::ReadingKey;
 
 // The place of a value among the reading's alternatives.
@@ -33,7 +34,6 @@ class Candidates {
     bool agrees(const std::vector<ReadingValue>& row, const PartialAssignment& with) const;
   };
 
-  Candidates() = default;
   // A reading with `values` values.
   void add(ReadingKey key, std::size_t values);
 
@@ -46,9 +46,6 @@ class Candidates {
 
   // The values that the reading may still have, in order.
   std::vector<ReadingValue> values(ReadingKey key) const;
-  // A row that is left of every group.
-  PartialAssignment first() const;
-  const std::vector<Group>& groups() const { return groups_; }
   // The logarithm to base 2 of the number of combinations left; for people.
   double bits() const;
 

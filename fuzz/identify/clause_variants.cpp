@@ -13,7 +13,6 @@ namespace {
 
 using reference::clause_name;
 using reference::ClauseId;
-using reference::RecordKind;
 
 // The clauses of the motions of the block that departs, that of the departure first.
 std::vector<ClauseId> clauses_concerned(const Observation& departure) {

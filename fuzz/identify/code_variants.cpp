@@ -10,11 +10,6 @@
 namespace gonogo::identify {
 namespace {
 
-using reference::Code;
-using reference::Kind;
-using reference::Plane;
-using reference::Setting;
-
 // Codes that one may be taken for another.
 bool is_confusable(const Code& code) {
   switch (code.kind) {
@@ -35,12 +30,13 @@ bool is_confusable(const Code& code) {
 using CodeMap = std::function<std::optional<std::string>(const TextBlock&, const std::string&)>;
 
 void add_codes(std::string name, const CodeMap& map, Variants& out) {
-  const auto edit = [map](const TextBlock& block, const TextWord& word) {
-    const std::string& code = block.code_of(word);
-    return code.empty() ? std::nullopt : map(block, code);
-  };
-  add_text(
-      std::move(name), [edit](const ProgramText& program) { return edited(program, edit); }, out);
+  add_edit(
+      std::move(name),
+      [map](const TextBlock& block, const TextWord& word) {
+        const std::string& code = block.code_of(word);
+        return code.empty() ? std::nullopt : map(block, code);
+      },
+      out);
 }
 
 void add_taken_for(const std::string& code, const std::string& other, Variants& out) {
@@ -83,8 +79,7 @@ void add_second_as_first(std::string_view first, std::string_view second,
 
 // Codes that turn, exchanged with those that turn the other way; of cycles with the same words each
 // read as the other, senses alike or not.
-void add_senses(const reference::Descriptor& table, const std::set<std::string>& present,
-                Variants& out) {
+void add_senses(const Descriptor& table, const std::set<std::string>& present, Variants& out) {
   for (const Code& code : table.codes) {
     if (code.sense >= 0) continue;
     const std::string_view opposite = opposite_of(table, code)->name;
@@ -110,24 +105,20 @@ void add_senses(const reference::Descriptor& table, const std::set<std::string>&
 void add_facing(const Code& code, const Code& other, Variants& out) {
   const std::string taper(taper_of(code)->address);
   const std::string other_taper(taper_of(other)->address);
-  out.push_back(
-      {fmt::format("{} does what {} does, {} as {}", code.name, other.name, taper, other_taper),
-       [&code, &other, taper, other_taper](const Observation& seen) -> std::optional<ChangedRun> {
-         auto text = edited(
-             ProgramText(seen.profile, seen.program),
-             [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-               if (block.modes.code_name() != code.name) return std::nullopt;
-               if (block.code_of(word) == code.name) return std::string(other.name);
-               if (name_of(word) != taper) return std::nullopt;
-               return other_taper + word.text.substr(taper.size());
-             });
-         if (!text) return std::nullopt;
-         return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
-       }});
+  add_edit(
+      fmt::format("{} does what {} does, {} as {}", code.name, other.name, taper, other_taper),
+      [=, &code, &other](const TextBlock& block,
+                         const TextWord& word) -> std::optional<std::string> {
+        if (block.modes.code_name() != code.name) return std::nullopt;
+        if (block.code_of(word) == code.name) return std::string(other.name);
+        if (name_of(word) != taper) return std::nullopt;
+        return other_taper + word.text.substr(taper.size());
+      },
+      out);
 }
 
 // Two cycles whose tapers have different words, each read as the other.
-void add_all_facing(const reference::Descriptor& table, Variants& out) {
+void add_all_facing(const Descriptor& table, Variants& out) {
   for (const Code& code : table.codes) {
     for (const Code& other : table.codes) {
       const bool have_tapers = taper_of(code) != nullptr && taper_of(other) != nullptr;
@@ -139,7 +130,7 @@ void add_all_facing(const reference::Descriptor& table, Variants& out) {
 }
 
 // The other code of a mode that has two; null: it has more, or is none.
-const Code* other_of_two(const reference::Descriptor& table, const Code& code) {
+const Code* other_of_two(const Descriptor& table, const Code& code) {
   const auto is_of_mode = [&](const Code& one) {
     return one.group == code.group && one.kind == Kind::mode &&
            one.treatment == reference::Treatment::read;
@@ -156,24 +147,22 @@ const Code* other_of_two(const reference::Descriptor& table, const Code& code) {
 
 // An M function that is passed on, but not where it stands beside one of the codes.
 void add_lost_function(const Code& function, const Motions& motions, Variants& out) {
-  add_codes(
+  add_without(
       fmt::format("{} of {} is ignored", function.name, names_of(motions)),
-      [name = std::string(function.name), motions](
-          const TextBlock& block, const std::string& word) -> std::optional<std::string> {
-        const bool is_meant = word == name && motions.contains(block.modes.code_name());
-        return is_meant ? std::optional<std::string>("") : std::nullopt;
+      [name = function.name, motions](const TextBlock& block, const TextWord& word) {
+        return block.code_of(word) == name && motions.contains(block.modes.code_name());
       },
       out);
 }
 
 }  // namespace
 
-const reference::CodeWord* taper_of(const Code& code) {
-  const reference::CodeWord* taper = nullptr;
+const CodeWord* taper_of(const Code& code) {
+  const CodeWord* taper = nullptr;
   if (code.kind != Kind::cycle) return nullptr;
   for (const auto& list : code.words) {
-    for (const reference::CodeWord& word : list) {
-      if (word.role < reference::Role::along_p || word.role > reference::Role::along_d) continue;
+    for (const CodeWord& word : list) {
+      if (word.role < Role::along_p || word.role > Role::along_d) continue;
       if (taper != nullptr) return nullptr;
       taper = &word;
     }
@@ -183,7 +172,7 @@ const reference::CodeWord* taper_of(const Code& code) {
 
 void add_code_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
-  const reference::Descriptor& table = *program.table;
+  const Descriptor& table = *program.table;
   std::set<std::string> codes;
   for (const TextBlock& block : program.blocks)
     codes.insert(block.codes.begin(), block.codes.end());
@@ -197,11 +186,9 @@ void add_code_variants(const Observation& departure, Variants& out) {
   const std::vector<Motions> concerned = motions_concerned(departure);
   for (const std::string& code : codes) {
     // The simplest goes first.
-    add_codes(
+    add_without(
         fmt::format("{} is ignored", code),
-        [=](const TextBlock&, const std::string& word) -> std::optional<std::string> {
-          return word == code ? std::optional<std::string>("") : std::nullopt;
-        },
+        [=](const TextBlock& block, const TextWord& word) { return block.code_of(word) == code; },
         out);
     const std::string whole = code.substr(0, code.find('.'));
     if (whole != code) add_taken_for(code, whole, out);

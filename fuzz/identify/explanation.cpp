@@ -67,8 +67,7 @@ std::string plainly_spelled(const ProgramAsked& asked, const KeptOutcome& meant)
 }  // namespace
 
 oracle::Tolerances Explainer::tolerances(const Profile& profile) const {
-  oracle::Tolerances tolerances = make_tolerances(
-      subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
+  oracle::Tolerances tolerances = make_tolerances(subject_.info(), profile, options_.grants);
   tolerances.strict = true;  // what it follows, not what a text states
   return tolerances;
 }

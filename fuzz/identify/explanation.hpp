@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fuzz/identify/variant.hpp"
+#include "oracle/motion/tolerances.hpp"
 
 namespace gonogo::identify {
 
@@ -25,9 +26,7 @@ std::vector<ProgramAsked> spread(const std::vector<ProgramAsked>& all, std::size
 
 // How, and how long, a subject is compared with mistakes.
 struct ExplanationOptions {
-  std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
-  std::optional<reference::Number> chord;
-  std::optional<reference::Number> feed_resolution;
+  oracle::Grants grants;
   // For all trials of a departure; beyond it there is no answer. A subject that never ends a cycle
   // has thousands of records, and is compared with hundreds of mistakes.
   std::size_t most_records = std::numeric_limits<std::size_t>::max();

@@ -9,8 +9,6 @@
 
 namespace gonogo::identify {
 
-using reference::Reading;
-
 // What kept the programs that show the reading from telling its values apart.
 std::string Identifier::why_open(ReadingKey key) const {
   bool shown = false;
@@ -87,12 +85,6 @@ std::vector<ReadingFound> Identifier::findings() const {
 std::size_t Identification::answered() const {
   return static_cast<std::size_t>(
       std::ranges::count_if(runs, [](const ProbeRun& run) { return run.outcome.answered(); }));
-}
-
-void Identification::set_in(Profile& profile) const {
-  for (const ReadingFound& found : readings) {
-    if (found.values.size() == 1) profile.readings.set(found.key, found.values.front());
-  }
 }
 
 }  // namespace gonogo::identify

@@ -3,44 +3,26 @@
 // An identification for people, and as a profile.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "fuzz/identify/identify.hpp"
+#include "fuzz/program/lines.hpp"
 
 namespace gonogo::identify {
 namespace {
 
 using oracle::RunEnd;
 
-std::string joined(const std::vector<std::string>& values, std::string_view between) {
-  std::string text;
-  for (const std::string& value : values) {
-    text += fmt::format("{}{}", text.empty() ? "" : between, value);
-  }
-  return text;
-}
-
 void append_program(const Probe& probe, std::string& out) {
-  std::size_t begin = 0;
-  while (begin < probe.program.size()) {
-    std::size_t end = probe.program.find_first_of("\r\n", begin);
-    if (end == std::string::npos) end = probe.program.size();
-    if (end > begin) {
-      out += fmt::format("      {}\n", probe.program.substr(begin, end - begin));
-    }
-    begin = end + 1;
+  for (const program::ProgramLine& line : program::program_lines(probe.program)) {
+    if (!line.text.empty()) out += fmt::format("      {}\n", line.text);
   }
 }
 
 std::string answer_text(const RunEnd& end) {
-  switch (end.kind) {
-    case RunEnd::Kind::skip:
-    case RunEnd::Kind::refused:
-      return fmt::format("The subject skips it: {}", end.message);
-    default:
-      return fmt::format("The subject gives no answer: {}", end.message);
-  }
+  const bool is_skipped = end.kind == RunEnd::Kind::skip || end.kind == RunEnd::Kind::refused;
+  return fmt::format("The subject {}: {}", is_skipped ? "skips it" : "gives no answer",
+                     end.message);
 }
 
 void append_run(const ProbeRun& run, std::size_t number, std::string& out) {
@@ -111,9 +93,9 @@ std::string identification_text(const Identification& found, std::string_view su
     return out;
   }
   for (const ReadingFound& one : found.readings) {
-    out +=
-        fmt::format("  {:<24} {}{}\n", reference::reading(one.key).name, joined(one.values, " or "),
-                    one.why.empty() ? "" : fmt::format("  ({})", one.why));
+    out += fmt::format("  {:<24} {}{}\n", reference::reading(one.key).name,
+                       fmt::join(one.values, " or "),
+                       one.why.empty() ? "" : fmt::format("  ({})", one.why));
   }
   if (!found.coordinates.empty()) {
     out += fmt::format("  coordinates: {}\n", found.coordinates.text());
@@ -132,7 +114,7 @@ std::string identification_toml(const Identification& found, const Profile& mach
     if (one.values.size() == 1) {
       out += fmt::format("\"{}\" = \"{}\"\n", name, one.values.front());
     } else {
-      out += fmt::format("# \"{}\" is {}: {}\n", name, joined(one.values, " or "), one.why);
+      out += fmt::format("# \"{}\" is {}: {}\n", name, fmt::join(one.values, " or "), one.why);
     }
   }
   return out;

@@ -12,7 +12,7 @@ namespace gonogo::identify {
 
 class Identifier {
  public:
-  Identifier(oracle::Subject& subject, const ProbePool& pool, const IdentifyOptions& options);
+  Identifier(oracle::Subject& subject, const ProbePool& pool, const oracle::Grants& grants);
   Identification run();
 
  private:
@@ -78,7 +78,7 @@ class Identifier {
 
   oracle::Subject& subject_;
   const ProbePool& pool_;
-  const IdentifyOptions& options_;
+  const oracle::Grants& grants_;
   ReadingKinds kinds_;
   std::vector<Item> items_;
   Candidates choices_;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "fuzz/identify/identifier.hpp"
 
@@ -15,7 +14,6 @@ namespace gonogo::identify {
 using oracle::Decision;
 using oracle::RunEnd;
 using oracle::VerdictKind;
-using reference::Reading;
 
 namespace {
 
@@ -24,22 +22,22 @@ namespace {
 constexpr std::size_t kMostRows = 4'096;
 // Outcomes that are compared with each other by the judge.
 constexpr std::size_t kMostCompared = 8;
+// That are run for one identification, skipped ones too.
+constexpr std::size_t kMostPrograms = 300;
 // No information to speak of.
 constexpr double kNothing = 1e-9;
 
 std::string values_text(const Reading& reading, const std::vector<ReadingValue>& values) {
-  std::string text;
-  for (const ReadingValue value : values) {
-    text += fmt::format("{}{}", text.empty() ? "" : " or ", text_of(reading, value));
-  }
-  return text;
+  std::vector<std::string_view> texts;
+  for (const ReadingValue value : values) texts.push_back(text_of(reading, value));
+  return fmt::format("{}", fmt::join(texts, " or "));
 }
 
 }  // namespace
 
 Identifier::Identifier(oracle::Subject& subject, const ProbePool& pool,
-                       const IdentifyOptions& options)
-    : subject_(subject), pool_(pool), options_(options), kinds_(reading_kinds(pool.dialect)) {
+                       const oracle::Grants& grants)
+    : subject_(subject), pool_(pool), grants_(grants), kinds_(reading_kinds(pool.dialect)) {
   for (const Probe& probe : pool.probes) {
     Item& item = items_.emplace_back();
     item.probe = &probe;
@@ -72,7 +70,7 @@ bool Identifier::usable(const Item& item) const {
 ProbeRun* Identifier::ask(Item& item) {
   item.used = true;
   if (!item.run) {
-    if (found_.runs.size() >= options_.most_programs) return nullptr;
+    if (found_.runs.size() >= kMostPrograms) return nullptr;
     if (!configured_ || *configured_ != item.probe->profile) {
       configured_ = item.probe->profile;
       subject_.configure(*configured_);
@@ -94,8 +92,7 @@ oracle::Verdict Identifier::judge(const Item& item, const PartialAssignment& rea
   Profile profile = item.probe->profile;
   profile.readings = base_;
   set_values(profile, readings);
-  oracle::Tolerances tolerances = make_tolerances(
-      subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
+  oracle::Tolerances tolerances = make_tolerances(subject_.info(), profile, grants_);
   tolerances.strict = true;  // what it follows, not what a text states
   return judge_kept(profile, item.probe->program, tolerances, run.outcome);
 }
@@ -152,9 +149,7 @@ void Identifier::check_outcomes(Item& item) {
     if (!outcome) return;
     shown.emplace(leaf.outcome, std::pair{std::move(profile), std::move(*outcome)});
   }
-  oracle::Tolerances tolerances =
-      make_tolerances(subject_.info(), probe.profile,
-                      {options_.tolerance, options_.chord, options_.feed_resolution});
+  oracle::Tolerances tolerances = make_tolerances(subject_.info(), probe.profile, grants_);
   tolerances.strict = true;
   const auto passes = [&](const auto& outcome, const auto& under) {
     const oracle::Verdict verdict =
@@ -279,8 +274,7 @@ void Identifier::count_coordinates() {
     for (const ReadingFound& one : found_.readings) {
       if (!one.values.empty()) profile.readings.set(one.key, one.values.front());
     }
-    const oracle::Tolerances tolerances = make_tolerances(
-        subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
+    const oracle::Tolerances tolerances = make_tolerances(subject_.info(), profile, grants_);
     const oracle::Verdict verdict =
         judge_kept(profile, item.probe->program, tolerances, found_.runs[*item.run].outcome);
     if (verdict.coordinates) found_.coordinates.add(*verdict.coordinates);
@@ -304,8 +298,8 @@ Identification Identifier::run() {
 }
 
 Identification identify_readings(oracle::Subject& subject, const ProbePool& pool,
-                                 const IdentifyOptions& options) {
-  return Identifier(subject, pool, options).run();
+                                 const oracle::Grants& grants) {
+  return Identifier(subject, pool, grants).run();
 }
 
 }  // namespace gonogo::identify

@@ -9,16 +9,10 @@
 #include <vector>
 
 #include "fuzz/identify/probe.hpp"
+#include "oracle/motion/tolerances.hpp"
 #include "oracle/records/rounding_census.hpp"
 
 namespace gonogo::identify {
-
-struct IdentifyOptions {
-  std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
-  std::optional<reference::Number> chord;
-  std::optional<reference::Number> feed_resolution;
-  std::size_t most_programs = 300;  // skipped ones too
-};
 
 // One program that the subject ran.
 struct ProbeRun {
@@ -50,14 +44,12 @@ struct Identification {
   std::size_t answered() const;
   // Whether less than half of the programs that ran support the result.
   bool is_thin() const { return answered() * 2 <= runs.size(); }
-  // The readings that were found, set in `profile`.
-  void set_in(Profile& profile) const;
 };
 
 // `pool` must outlive the result. The subject is configured with each program's machine and is not
 // given any reading. Throws SubjectUnusable.
 Identification identify_readings(oracle::Subject& subject, const ProbePool& pool,
-                                 const IdentifyOptions& options);
+                                 const oracle::Grants& grants);
 
 // For people: each program with what was learnt, then the readings.
 std::string identification_text(const Identification& found, std::string_view subject,

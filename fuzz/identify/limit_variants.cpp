@@ -15,8 +15,6 @@
 namespace gonogo::identify {
 namespace {
 
-using reference::Number;
-
 // By which a word is moved off a limit.
 const Number& trifle() {
   static const Number kTrifle = Number(1) / 1'000'000'000'000;
@@ -95,10 +93,8 @@ void add_limits(const Observation& departure, const std::string& address, const 
     if (!limit.moved_off(departure)) continue;
     Variant variant;
     variant.name = limit.name();
-    variant.apply = [limit](const Observation& seen) -> std::optional<ChangedRun> {
-      auto text = limit.moved_off(seen);
-      if (!text) return std::nullopt;
-      return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
+    variant.apply = [limit](const Observation& seen) {
+      return with_program(seen, limit.moved_off(seen));
     };
     variant.holds = [limit](const Observation& seen) { return runs_on(limit, seen); };
     out.push_back(std::move(variant));

@@ -3,13 +3,9 @@
 // Another machine: a reading, units, diameter, offsets, parameters, what the program before left.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "fuzz/identify/variant.hpp"
 
 namespace gonogo::identify {
-
-using reference::Reading;
 
 namespace {
 
@@ -28,7 +24,7 @@ void add_profile(std::string name, const std::function<void(Profile&)>& change, 
 }
 
 void add_readings(std::string_view dialect, Variants& out) {
-  for (const Reading& reading : reference::readings()) {
+  for (const reference::Reading& reading : reference::readings()) {
     if (!reading.belongs_to(dialect) || reading.is_length || reading.by_properties) continue;
     for (const std::string_view value : reading.alternatives) {
       if (value == reading.fallback) continue;
@@ -69,7 +65,7 @@ void Carried::take(const Profile& profile, std::string_view program, const KeptO
       const auto written = exact_value_of(word);
       if (!written) continue;
       const std::string name = name_of(word);
-      if (name == "F" && !block.modes.is_of(reference::Kind::dwell)) {
+      if (name == "F" && !block.modes.is_of(Kind::dwell)) {
         feed = block.modes.inch ? *written * 127 / 5 : *written;
       }
       if (is_parameter(name)) parameters[name] = fmt::format("{}={}", name, written->text());

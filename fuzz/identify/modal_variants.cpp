@@ -15,9 +15,6 @@
 namespace gonogo::identify {
 namespace {
 
-using reference::Kind;
-using reference::Setting;
-
 using BlockTest = bool (*)(const TextBlock&);
 
 bool in_motion(const TextBlock& block) {
@@ -96,12 +93,10 @@ std::optional<std::string> late(const ProgramText& program, const std::set<std::
 // Words of the address count only in a block with a code of motion; or only so in cycles.
 std::optional<std::string> stuck(const ProgramText& program, const std::string& address,
                                  BlockTest where) {
-  return edited(program,
-                [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-                  const bool repeats = block.modes.own == nullptr && where(block);
-                  if (name_of(word) != address || !repeats) return std::nullopt;
-                  return "";
-                });
+  return without_words(program, [&](const TextBlock& block, const TextWord& word) {
+    const bool repeats = block.modes.own == nullptr && where(block);
+    return repeats && name_of(word) == address;
+  });
 }
 
 // A code of motion is forgotten with its block: the next one without a code is `instead`.
@@ -115,12 +110,10 @@ std::optional<std::string> forgotten(const ProgramText& program, const std::stri
 
 // What follows the first end of the program is run too.
 std::optional<std::string> without_end(const ProgramText& program) {
-  return edited(program,
-                [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-                  const reference::Code* const code = program.table->find(block.code_of(word));
-                  const bool ends = code != nullptr && code->kind == Kind::program_end;
-                  return ends ? std::optional("") : std::nullopt;
-                });
+  return without_words(program, [&](const TextBlock& block, const TextWord& word) {
+    const Code* const code = program.table->find(block.code_of(word));
+    return code != nullptr && code->kind == Kind::program_end;
+  });
 }
 
 // Whether a block before this one has the code.
@@ -132,20 +125,18 @@ bool stands_before(std::string_view code, const ProgramText& program, const Text
 
 // Incremental mode is not to be had again once absolute mode was asked for.
 std::optional<std::string> latched(const ProgramText& program) {
-  const reference::Code* const absolute = program.table->find(Setting::absolute);
-  const reference::Code* const incremental = program.table->find(Setting::incremental);
+  const Code* const absolute = program.table->find(Setting::absolute);
+  const Code* const incremental = program.table->find(Setting::incremental);
   if (absolute == nullptr || incremental == nullptr) return std::nullopt;
-  return edited(program,
-                [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-                  const bool is_late = block.code_of(word) == incremental->name &&
-                                       stands_before(absolute->name, program, block);
-                  return is_late ? std::optional("") : std::nullopt;
-                });
+  return without_words(program, [&](const TextBlock& block, const TextWord& word) {
+    return block.code_of(word) == incremental->name &&
+           stands_before(absolute->name, program, block);
+  });
 }
 
 // A motion that no code asks for after a dwell: a code of its own says that none is in force.
 std::optional<std::string> no_motion_after_dwell(const ProgramText& program) {
-  const reference::Code* const off = program.table->find(Kind::off);
+  const Code* const off = program.table->find(Kind::off);
   if (off == nullptr) return std::nullopt;
   bool dwelt = false;
   return edited_in_order(program, [&](const TextBlock& block) -> std::string {
@@ -168,8 +159,7 @@ std::optional<std::string> without_last_mark(const ProgramText& program) {
   return changed.text();
 }
 
-void add_leaks(const reference::Descriptor& table, const std::set<std::string>& addresses,
-               Variants& out) {
+void add_leaks(const Descriptor& table, const std::set<std::string>& addresses, Variants& out) {
   std::vector<std::set<std::string>> sets;
   for (const std::string& address : addresses) sets.push_back({address});
   for (const std::set<std::string>& kin : kin_addresses(table)) {
@@ -178,8 +168,7 @@ void add_leaks(const reference::Descriptor& table, const std::set<std::string>& 
     if (present.size() > 1) sets.push_back(std::move(present));
   }
   for (const std::set<std::string>& set : sets) {
-    std::string names;
-    for (const std::string& address : set) names += (names.empty() ? "" : " ") + address;
+    const std::string names = fmt::format("{}", fmt::join(set, " "));
     add_text(
         fmt::format("{} stays in force in later blocks", names),
         [set](const ProgramText& text) { return leaked(text, set, in_motion, in_motion); }, out);
@@ -257,28 +246,24 @@ void add_forgotten_motions(const ProgramText& program, Variants& out) {
   }
 }
 
-// The machine on which a text without an end is none that alarms.
-reference::Profile without_need_of_an_end(reference::Profile profile) {
-  profile.readings.set("ngc.program-end=free"_reading);
-  return profile;
+// On a machine on which a text without an end is none that alarms.
+std::optional<ChangedRun> run_without_end(const Observation& seen,
+                                          std::optional<std::string> program) {
+  auto trial = with_program(seen, std::move(program));
+  if (trial) trial->profile.readings.set("ngc.program-end=free"_reading);
+  return trial;
 }
 
 std::optional<ChangedRun> with_last_mark_ignored(const Observation& seen) {
-  auto text = without_last_mark(ProgramText(seen.profile, seen.program));
-  if (!text) return std::nullopt;
-  return ChangedRun{std::move(*text), without_need_of_an_end(seen.profile), seen.outcome,
-                    std::nullopt};
+  return run_without_end(seen, without_last_mark(ProgramText(seen.profile, seen.program)));
 }
 
 std::optional<ChangedRun> with_end_ignored(const Observation& seen) {
-  auto text = without_end(ProgramText(seen.profile, seen.program));
-  if (!text) return std::nullopt;
-  ChangedRun trial{std::move(*text), without_need_of_an_end(seen.profile), seen.outcome,
-                   std::nullopt};
+  auto trial = run_without_end(seen, without_end(ProgramText(seen.profile, seen.program)));
+  if (!trial) return std::nullopt;
   // It is passed on all the same.
-  std::erase_if(trial.outcome.records, [](const Record& record) {
-    return record.kind == reference::RecordKind::m &&
-           (record.m == 2 || record.m == 17 || record.m == 30);
+  std::erase_if(trial->outcome.records, [](const Record& record) {
+    return record.kind == RecordKind::m && (record.m == 2 || record.m == 17 || record.m == 30);
   });
   return trial;
 }

@@ -18,8 +18,8 @@ constexpr std::size_t kMostPoolBytes = 2'000;
 
 class PoolMaker {
  public:
-  PoolMaker(std::string_view dialect, const PoolOptions& options)
-      : options_(options), kinds_(reading_kinds(dialect)) {
+  PoolMaker(std::string_view dialect, const std::optional<Profile>& machine)
+      : machine_(machine), kinds_(reading_kinds(dialect)) {
     pool_.dialect = dialect;
   }
   void take_corpus(const oracle::Corpus& corpus);
@@ -32,7 +32,7 @@ class PoolMaker {
   void keep(Probe probe);
   bool shows_everything();
 
-  const PoolOptions& options_;
+  const std::optional<Profile>& machine_;
   ReadingKinds kinds_;
   ProbePool pool_;
   std::map<std::string, std::vector<Probe>> equal_;  // by what they tell apart
@@ -42,8 +42,7 @@ void PoolMaker::take(std::string id, std::string program, const Profile& profile
                      std::set<std::string> features) {
   ++pool_.seen;
   if (program.size() > kMostPoolBytes) return;
-  auto probe =
-      make_probe(std::move(id), std::move(program), options_.machine ? *options_.machine : profile);
+  auto probe = make_probe(std::move(id), std::move(program), machine_ ? *machine_ : profile);
   if (!probe) return;
   probe->features = std::move(features);
   if (auto named = with_named_paths(*probe)) keep(std::move(*named));
@@ -83,10 +82,11 @@ void PoolMaker::take_generated() {
   const auto known = generate::generators();
   const auto found = std::ranges::find(known, pool_.dialect, &generate::Generator::dialect);
   if (found == known.end()) return;
+  constexpr std::size_t kMostGenerated = 1'000;
   constexpr std::size_t kAtOnce = 500;
-  while (pool_.generated < options_.most_generated && !shows_everything()) {
+  while (pool_.generated < kMostGenerated && !shows_everything()) {
     for (std::size_t i = 0; i < kAtOnce; ++i) {
-      const std::uint64_t seed = options_.seed + pool_.generated++;
+      const std::uint64_t seed = ++pool_.generated;
       generate::Choices choices(seed);
       generate::GeneratedProgram program = found->generate(choices, nullptr);
       take(fmt::format("generated.{}", seed), std::move(program.text), program.profile, {});
@@ -102,8 +102,8 @@ ProbePool PoolMaker::finish() {
 }  // namespace
 
 ProbePool make_pool(const oracle::Corpus& corpus, std::string_view dialect,
-                    const PoolOptions& options) {
-  PoolMaker maker(dialect, options);
+                    const std::optional<Profile>& machine) {
+  PoolMaker maker(dialect, machine);
   maker.take_corpus(corpus);
   maker.take_generated();
   return maker.finish();

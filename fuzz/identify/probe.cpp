@@ -7,7 +7,6 @@
 
 namespace gonogo::identify {
 
-using reference::Reading;
 using reference::ReadingChoice;
 
 namespace {

@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "corpus/io/corpus.hpp"
 #include "fuzz/identify/candidates.hpp"
 #include "fuzz/identify/outcome.hpp"
-#include "corpus/io/corpus.hpp"
 
 namespace gonogo::identify {
 
 // The value after a reading's alternatives: none of the named ones. Only of readings that are
 // judged by properties.
-ReadingValue value_of_none(const reference::Reading& reading);
+ReadingValue value_of_none(const Reading& reading);
 // "r-plane"; "any" for none of the named ones.
-std::string_view text_of(const reference::Reading& reading, ReadingValue value);
+std::string_view text_of(const Reading& reading, ReadingValue value);
 void set_values(Profile& profile, const PartialAssignment& assignment);
 
 // The outcomes of a program as a tree of the readings that it asks for: each leaf says what it
@@ -76,15 +76,10 @@ struct ProbePool {
   bool shows(ReadingKey key) const;
 };
 
-struct PoolOptions {
-  // The machine of every program; nothing: each program's own.
-  std::optional<Profile> machine;
-  std::size_t most_generated = 1'000;
-  std::uint64_t seed = 1;
-};
-// The cases of the corpus and, for readings that none of them shows, generated programs.
-// REQUIRES: `dialect` is one that the gauge reads. Throws CorpusError.
+// The cases of the corpus and, for readings that none of them shows, generated programs. `machine`:
+// that of every program; nothing: each program's own. REQUIRES: `dialect` is one that the gauge
+// reads. Throws CorpusError.
 ProbePool make_pool(const oracle::Corpus& corpus, std::string_view dialect,
-                    const PoolOptions& options);
+                    const std::optional<Profile>& machine);
 
 }  // namespace gonogo::identify

@@ -12,7 +12,6 @@
 namespace gonogo::identify {
 
 using oracle::Decision;
-using reference::Reading;
 
 namespace {
 

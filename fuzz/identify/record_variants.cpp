@@ -9,11 +9,7 @@
 
 namespace gonogo::identify {
 
-using reference::Axis;
 using reference::FeedMode;
-using reference::Number;
-using reference::Plane;
-using reference::RecordKind;
 
 namespace {
 
@@ -77,9 +73,9 @@ void add_senses(Variants& out) {
 // The point between start and end goes to the other arc of the circle: the line from it through the
 // middle of the chord meets the circle there, since the two parts of that line and the halves of
 // the chord have the same product.
-void take_other_side(Record& arc, const reference::Position& from) {
-  reference::Position middle;
-  reference::Position out;
+void take_other_side(Record& arc, const Position& from) {
+  Position middle;
+  Position out;
   Number half;
   Number distance;
   for (const Axis axis : reference::kLinearAxes) {
@@ -98,7 +94,7 @@ void add_space_arcs(Variants& out) {
   add_outcome(
       "every CIP turns the other way",
       [](const Observation& seen, KeptOutcome& outcome) {
-        reference::Position at = seen.profile.initial.at;
+        Position at = seen.profile.initial.at;
         for (Record& record : outcome.records) {
           if (record.kind == RecordKind::arc3) take_other_side(record, at);
           if (is_motion(record.kind)) at = record.to;
@@ -128,29 +124,28 @@ bool is_rotary(const Record& record) {
   return !record.axes.has(Axis::x) && !record.axes.has(Axis::y) && !record.axes.has(Axis::z);
 }
 
+// A number of the records comes out divided by `undo`.
+void add_scaled(std::string name, Number Record::*what, const Number& undo, Variants& out) {
+  add_records(
+      std::move(name), [=](Record& record) { record.*what = record.*what * undo; }, out);
+}
+
 void add_units(Variants& out) {
-  add_records(
-      "feeds of A or C alone come out converted from inches",
-      [](Record& record) {
-        if (is_rotary(record)) record.feed = record.feed * 5 / 127;
-      },
-      out);
-  add_records(
-      "feeds of A or C alone come out not converted from inches",
-      [](Record& record) {
-        if (is_rotary(record)) record.feed = record.feed * 127 / 5;
-      },
-      out);
+  for (const Slip& slip :
+       {Slip{"converted", Number(5) / 127}, {"not converted", Number(127) / 5}}) {
+    add_records(
+        fmt::format("feeds of A or C alone come out {} from inches", slip.name),
+        [slip](Record& record) {
+          if (is_rotary(record)) record.feed = record.feed * slip.undo;
+        },
+        out);
+  }
   for (const Slip& slip : unit_slips()) {
     add_records(
         fmt::format("lengths come out {}", slip.name),
         [slip](Record& record) { scale_lengths(record, slip.undo); }, out);
-    add_records(
-        fmt::format("feeds come out {}", slip.name),
-        [slip](Record& record) { record.feed = record.feed * slip.undo; }, out);
-    add_records(
-        fmt::format("leads come out {}", slip.name),
-        [slip](Record& record) { record.lead = record.lead * slip.undo; }, out);
+    add_scaled(fmt::format("feeds come out {}", slip.name), &Record::feed, slip.undo, out);
+    add_scaled(fmt::format("leads come out {}", slip.name), &Record::lead, slip.undo, out);
   }
   add_records(
       "X comes out as a diameter",
@@ -159,9 +154,7 @@ void add_units(Variants& out) {
       "X comes out as half a radius", [](Record& record) { scale_axis(record, Axis::x, 2); }, out);
   for (const auto& [name, undo] :
        {std::pair("a second", Number(60)), std::pair("an hour", Number(1) / 60)}) {
-    add_records(
-        fmt::format("feeds come out in mm {}", name),
-        [undo](Record& record) { record.feed = record.feed * undo; }, out);
+    add_scaled(fmt::format("feeds come out in mm {}", name), &Record::feed, undo, out);
   }
   add_records(
       "mm a minute and mm a revolution are exchanged",
@@ -173,9 +166,7 @@ void add_units(Variants& out) {
   for (const auto& [name, undo] :
        {std::pair("milliseconds", Number(1) / 1000),
         std::pair("1000 times too short", Number(1000)), std::pair("half as long", Number(2))}) {
-    add_records(
-        fmt::format("dwells come out {}", name),
-        [undo](Record& record) { record.seconds = record.seconds * undo; }, out);
+    add_scaled(fmt::format("dwells come out {}", name), &Record::seconds, undo, out);
   }
 }
 
@@ -281,7 +272,7 @@ void add_kinds(const Motions& motions, Variants& out) {
 void add_record_variants(const Observation& departure, Variants& out) {
   add_senses(out);
   const ProgramText departing(departure.profile, departure.program);
-  if (departing.table->find(reference::Kind::circle) != nullptr) add_space_arcs(out);
+  if (departing.table->find(Kind::circle) != nullptr) add_space_arcs(out);
   add_units(out);
   add_block_numbers(out);
   for (const Motions& motions : motions_concerned(departure)) {

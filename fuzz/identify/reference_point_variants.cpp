@@ -12,11 +12,6 @@
 namespace gonogo::identify {
 namespace {
 
-using reference::Axis;
-using reference::Kind;
-using reference::Number;
-using reference::Position;
-
 // The place along an axis and the way along it, in dialects that have both.
 struct AxisWords {
   Axis axis;
@@ -78,11 +73,10 @@ class HomeWays {
   }
   // A block without such words goes nowhere.
   std::optional<std::string> with_words_alone() const {
-    return edited(program_, [&](const TextBlock& block, const TextWord& word) {
+    return without_words(program_, [&](const TextBlock& block, const TextWord& word) {
       const bool goes = std::ranges::any_of(
           kAxisWords, [&](const AxisWords& words) { return is_named(block, words); });
-      const bool is_taken = !goes && is_meant(block) && codes_.contains(block.code_of(word));
-      return is_taken ? std::optional<std::string>("") : std::nullopt;
+      return !goes && is_meant(block) && codes_.contains(block.code_of(word));
     });
   }
 
@@ -100,13 +94,10 @@ class HomeWays {
 using HomeChange = std::optional<std::string> (HomeWays::*)() const;
 
 void add_home_way(std::string name, const Motions& codes, HomeChange change, Variants& out) {
-  out.push_back(
-      {std::move(name), [codes, change](const Observation& seen) -> std::optional<ChangedRun> {
-         const HomeWays ways(seen, codes);
-         auto text = ways.are_known() ? (ways.*change)() : std::nullopt;
-         if (!text) return std::nullopt;
-         return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
-       }});
+  out.push_back({std::move(name), [codes, change](const Observation& seen) {
+                   const HomeWays ways(seen, codes);
+                   return with_program(seen, ways.are_known() ? (ways.*change)() : std::nullopt);
+                 }});
 }
 
 }  // namespace
@@ -115,7 +106,7 @@ void add_reference_point_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
   Motions all;
   Motions present;
-  for (const reference::Code& code : program.table->codes) {
+  for (const Code& code : program.table->codes) {
     if (code.kind != Kind::reference_point || code.find("X") == nullptr) continue;
     all.emplace(code.name);
     const bool stands = std::ranges::any_of(

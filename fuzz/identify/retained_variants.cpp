@@ -17,21 +17,19 @@
 namespace gonogo::identify {
 namespace {
 
-using reference::Kind;
-
 // What ends a cycle, and ought to clear what it retains.
 struct Passed {
   std::string name;
   std::set<Kind> kinds;
 };
 
-std::vector<Passed> passed_by(const reference::Descriptor& table) {
+std::vector<Passed> passed_by(const Descriptor& table) {
   const std::set<Kind> motions = {Kind::traverse, Kind::line, Kind::arc, Kind::circle};
   const std::set<Kind> others = {Kind::reference_point, Kind::rename};
   std::vector<Passed> all = {{"motions", motions},
                              {"straight motions", {Kind::traverse, Kind::line}},
                              {"reference points and coordinates", others}};
-  if (const reference::Code* off = table.find(Kind::off)) {
+  if (const Code* off = table.find(Kind::off)) {
     std::set<Kind> both = motions;
     both.insert(Kind::off);
     all.push_back({std::string(off->name), {Kind::off}});
@@ -65,10 +63,10 @@ std::optional<std::string> retained_past(const ProgramText& program,
       return more;
     }
     for (const std::string& address : addresses) {
-      const reference::CodeWord* const meant = block.modes.code()->find(address);
+      const CodeWord* const meant = block.modes.code()->find(address);
       const TextWord* const word = block.find(address);
       // The same letter may be a number of times to another cycle.
-      if (meant != nullptr && meant->role == reference::Role::count) continue;
+      if (meant != nullptr && meant->role == Role::count) continue;
       if (word != nullptr) {
         given[address] = word->text;
         kept.erase(address);
@@ -93,24 +91,24 @@ std::string counterpart_of(const std::string& name) {
 }
 
 // Whether the cycle has a taper across its depth: such ones turn, others drill and mill.
-bool has_taper(const reference::Code& code) {
+bool has_taper(const Code& code) {
   return std::ranges::any_of(code.words, [](const auto& list) {
-    return std::ranges::any_of(list, [](const reference::CodeWord& word) {
-      return word.role == reference::Role::along_p || word.role == reference::Role::along_q;
+    return std::ranges::any_of(list, [](const CodeWord& word) {
+      return word.role == Role::along_p || word.role == Role::along_q;
     });
   });
 }
 
 // What cycles have given since the last code that is none.
 struct Held {
-  const reference::Code* code = nullptr;  // the last
+  const Code* code = nullptr;  // the last
   std::map<std::string, std::string> words;
 
   // Takes the words of the block that hold; returns what it lacks of those of another code.
   std::string take(const TextBlock& block) {
     std::map<std::string, std::string> own;
     for (const TextWord& word : block.words) {
-      const reference::CodeWord* const meant = block.modes.code()->find(name_of(word));
+      const CodeWord* const meant = block.modes.code()->find(name_of(word));
       const bool holds = meant != nullptr && meant->life == reference::Life::modal;
       if (holds) own[name_of(word)] = word.text;
     }
@@ -142,9 +140,9 @@ std::optional<std::string> carried_over(const ProgramText& program, const Motion
 }
 
 // Those that turn, or those that do not, as the code that departs.
-Motions cycles_like(const reference::Descriptor& table, const reference::Code& code) {
+Motions cycles_like(const Descriptor& table, const Code& code) {
   Motions cycles;
-  for (const reference::Code& other : table.codes) {
+  for (const Code& other : table.codes) {
     const bool is_alike = other.kind == Kind::cycle && has_taper(other) == has_taper(code);
     if (is_alike) cycles.emplace(other.name);
   }
@@ -152,7 +150,7 @@ Motions cycles_like(const reference::Descriptor& table, const reference::Code& c
 }
 
 void add_carried_over(const Observation& departure, const ProgramText& program, Variants& out) {
-  const reference::Code* const code = program.table->find(program.code_at(departure.verdict.block));
+  const Code* const code = program.table->find(program.code_at(departure.verdict.block));
   if (code == nullptr || code->kind != Kind::cycle) return;
   const Motions cycles = cycles_like(*program.table, *code);
   if (cycles.size() < 2) return;
@@ -174,8 +172,8 @@ std::optional<std::string> standing_still(const ProgramText& program, const Moti
     std::string more;
     bool moves = false;
     for (const auto& [place, way] : kPlacesAndWays) {
-      const reference::CodeWord* const word = block.modes.code()->find(way);
-      if (word == nullptr || word->role != reference::Role::way) continue;
+      const CodeWord* const word = block.modes.code()->find(way);
+      if (word == nullptr || word->role != Role::way) continue;
       const bool is_given = block.find(place) != nullptr || block.find(way) != nullptr;
       moves = moves || is_given;
       if (is_given) ways.insert(way);
@@ -187,19 +185,18 @@ std::optional<std::string> standing_still(const ProgramText& program, const Moti
   });
 }
 
-std::set<std::string> tapers_of(const reference::Descriptor& table) {
+std::set<std::string> tapers_of(const Descriptor& table) {
   std::set<std::string> tapers;
-  for (const reference::Code& code : table.codes) {
-    if (const reference::CodeWord* const taper = taper_of(code)) tapers.emplace(taper->address);
+  for (const Code& code : table.codes) {
+    if (const CodeWord* const taper = taper_of(code)) tapers.emplace(taper->address);
   }
   return tapers;
 }
 
 // Words of cycles that stand in the program, each alone and all together.
-void add_retained(const reference::Descriptor& table, const std::set<std::string>& addresses,
-                  Variants& out) {
+void add_retained(const Descriptor& table, const std::set<std::string>& addresses, Variants& out) {
   std::set<std::string> all;
-  for (const reference::Code& code : table.codes) {
+  for (const Code& code : table.codes) {
     if (code.kind != Kind::cycle) continue;
     std::ranges::copy_if(addresses, std::inserter(all, all.end()),
                          [&](const std::string& address) { return code.find(address) != nullptr; });

@@ -11,7 +11,11 @@
 
 namespace gonogo::identify {
 
-using reference::Kind;
+std::optional<ChangedRun> with_program(const Observation& seen,
+                                       std::optional<std::string> program) {
+  if (!program) return std::nullopt;
+  return ChangedRun{*std::move(program), seen.profile, seen.outcome, std::nullopt};
+}
 
 void add_model(std::string name, ModelChange change, Variants& out) {
   out.push_back(
@@ -24,19 +28,22 @@ void add_model(std::string name, ModelChange change, Variants& out) {
 }
 
 void add_text(std::string name, TextChange change, Variants& out) {
-  out.push_back(
-      {std::move(name),
-       [change = std::move(change)](const Observation& seen) -> std::optional<ChangedRun> {
-         auto text = change(ProgramText(seen.profile, seen.program));
-         if (!text) return std::nullopt;
-         return ChangedRun{std::move(*text), seen.profile, seen.outcome, std::nullopt};
-       }});
+  out.push_back({std::move(name), [change = std::move(change)](const Observation& seen) {
+                   return with_program(seen, change(ProgramText(seen.profile, seen.program)));
+                 }});
 }
 
 void add_edit(std::string name, program::WordEdit edit, Variants& out) {
   add_text(
       std::move(name),
       [edit = std::move(edit)](const ProgramText& program) { return edited(program, edit); }, out);
+}
+
+void add_without(std::string name, program::WordTest goes, Variants& out) {
+  add_text(
+      std::move(name),
+      [goes = std::move(goes)](const ProgramText& program) { return without_words(program, goes); },
+      out);
 }
 
 void add_outcome(std::string name, OutcomeChange change, Variants& out) {
@@ -53,10 +60,9 @@ void add_outcome(std::string name, OutcomeChange change, Variants& out) {
        }});
 }
 
-bool has_same_words(const reference::Code& a, const reference::Code& b) {
+bool has_same_words(const Code& a, const Code& b) {
   return std::ranges::equal(a.words, b.words, [](const auto& one, const auto& other) {
-    return std::ranges::equal(one, other, {}, &reference::CodeWord::address,
-                              &reference::CodeWord::address);
+    return std::ranges::equal(one, other, {}, &CodeWord::address, &CodeWord::address);
   });
 }
 
@@ -74,13 +80,12 @@ bool is_parameter(const std::string& name) {
   return name.size() > 1 && name[0] == 'R' && name[1] >= '0' && name[1] <= '9';
 }
 
-// std::set<std::string> of words that are read alike; of places those of one sort of axis.
-std::set<std::string> addresses_with(const reference::Descriptor& table,
-                                     std::initializer_list<reference::Role> roles, bool rotary) {
+std::set<std::string> addresses_with(const Descriptor& table, std::initializer_list<Role> roles,
+                                     bool rotary) {
   std::set<std::string> addresses;
-  for (const reference::Code& code : table.codes) {
+  for (const Code& code : table.codes) {
     for (const auto& list : code.words) {
-      for (const reference::CodeWord& word : list) {
+      for (const CodeWord& word : list) {
         const bool is_asked = std::ranges::find(roles, word.role) != roles.end();
         const bool turns = word.address == "A" || word.address == "C";
         if (is_asked && turns == rotary) addresses.emplace(word.address);
@@ -92,8 +97,7 @@ std::set<std::string> addresses_with(const reference::Descriptor& table,
   return addresses;
 }
 
-std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& table) {
-  using reference::Role;
+std::vector<std::set<std::string>> kin_addresses(const Descriptor& table) {
   return {addresses_with(table, {Role::centre}),
           addresses_with(table, {Role::centre, Role::radius}),
           addresses_with(table, {Role::middle}),
@@ -105,9 +109,9 @@ std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& ta
 
 namespace {
 
-Motions codes_of(const reference::Descriptor& table, Kind kind) {
+Motions codes_of(const Descriptor& table, Kind kind) {
   Motions codes;
-  for (const reference::Code& code : table.codes) {
+  for (const Code& code : table.codes) {
     if (code.kind == kind) codes.emplace(code.name);
   }
   return codes;
@@ -117,7 +121,7 @@ Motions codes_of(const reference::Descriptor& table, Kind kind) {
 
 std::vector<Motions> motions_concerned(const Observation& departure) {
   const ProgramText program(departure.profile, departure.program);
-  const reference::Code* const code = program.table->find(program.code_at(departure.verdict.block));
+  const Code* const code = program.table->find(program.code_at(departure.verdict.block));
   if (code == nullptr) return {};
   // The same code turned the other way; codes with the same words; cycles of the same modal group;
   // all threads, all cycles.
@@ -126,7 +130,7 @@ std::vector<Motions> motions_concerned(const Observation& departure) {
   if (code->kind == Kind::thread || code->kind == Kind::cycle) {
     kin[4] = codes_of(*program.table, code->kind);
   }
-  for (const reference::Code& other : program.table->codes) {
+  for (const Code& other : program.table->codes) {
     if (other.kind != code->kind) continue;
     if (other.sense == 0) continue;
     if (other.feature == code->feature) kin[1].emplace(other.name);
@@ -141,7 +145,7 @@ std::vector<Motions> motions_concerned(const Observation& departure) {
   return concerned;
 }
 
-reference::Number half_up(const reference::Number& value, int places) {
+Number half_up(const Number& value, int places) {
   return reference::Number::parse(value.decimal_text(places)).value();
 }
 
@@ -162,7 +166,7 @@ std::vector<BlockPath> paths_of(const Observation& seen, std::size_t blocks) {
   std::vector<BlockPath> paths(blocks + 2);
   const auto outcome = run_reference(seen.profile, seen.program);
   if (!outcome) return {};
-  reference::Position at = seen.profile.initial.at;
+  Position at = seen.profile.initial.at;
   std::size_t block = 0;
   const auto go_to = [&](std::size_t line) {
     while (block < line && block + 1 < paths.size()) paths[++block].start = at;
@@ -170,7 +174,7 @@ std::vector<BlockPath> paths_of(const Observation& seen, std::size_t blocks) {
   for (const Record& record : outcome->records) {
     go_to(record.block);
     if (record.block < paths.size()) paths[record.block].records.push_back(record);
-    for (const reference::Axis axis : reference::kAllAxes) {
+    for (const Axis axis : reference::kAllAxes) {
       if (record.axes.has(axis)) at[axis] = record.to[axis];
     }
   }

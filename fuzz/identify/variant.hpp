@@ -20,10 +20,21 @@ namespace gonogo::identify {
 using program::ProgramText;
 using program::TextBlock;
 using program::TextWord;
+using reference::Axis;
+using reference::Code;
+using reference::CodeWord;
+using reference::Descriptor;
+using reference::Kind;
+using reference::Number;
+using reference::Plane;
+using reference::Position;
+using reference::RecordKind;
+using reference::Role;
+using reference::Setting;
 
 // What a subject that forgets to reset keeps from program to program.
 struct Carried {
-  std::optional<reference::Number> feed;          // mm
+  std::optional<Number> feed;                     // mm
   std::map<std::string, std::string> parameters;  // "R105" -> its word
   // What a program leaves of it, up to its end.
   void take(const Profile& profile, std::string_view program, const KeptOutcome& outcome);
@@ -67,6 +78,9 @@ struct Variant {
 
 using Variants = std::vector<Variant>;
 
+// The run of another program; nothing where there is none.
+std::optional<ChangedRun> with_program(const Observation& seen, std::optional<std::string> program);
+
 // The reference's own outcome, changed. False: it stays the same.
 using ModelChange = std::function<bool(const Observation&, KeptOutcome&)>;
 void add_model(std::string name, ModelChange change, Variants& out);
@@ -74,6 +88,8 @@ void add_model(std::string name, ModelChange change, Variants& out);
 using TextChange = std::function<std::optional<std::string>(const ProgramText&)>;
 void add_text(std::string name, TextChange change, Variants& out);
 void add_edit(std::string name, program::WordEdit edit, Variants& out);
+// The words that go are ignored.
+void add_without(std::string name, program::WordTest goes, Variants& out);
 // The subject's outcome, with what the mistake made of it undone.
 using OutcomeChange = std::function<void(const Observation&, KeptOutcome&)>;
 void add_outcome(std::string name, OutcomeChange change, Variants& out);
@@ -83,19 +99,18 @@ void add_outcome(std::string name, OutcomeChange change, Variants& out);
 using Motions = std::set<std::string, std::less<>>;
 std::vector<Motions> motions_concerned(const Observation& departure);
 // Whether the two are programmed with the same words.
-bool has_same_words(const reference::Code& a, const reference::Code& b);
+bool has_same_words(const Code& a, const Code& b);
 // Addresses of the dialect with words of these roles; of places those of rotary axes or the others.
-std::set<std::string> addresses_with(const reference::Descriptor& table,
-                                     std::initializer_list<reference::Role> roles,
+std::set<std::string> addresses_with(const Descriptor& table, std::initializer_list<Role> roles,
                                      bool rotary = false);
 // Addresses whose words one mistake is likely to meet together.
-std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& table);
+std::vector<std::set<std::string>> kin_addresses(const Descriptor& table);
 // The word of a cycle's taper, where it has but one length with a sign. Null: it has none or more.
-const reference::CodeWord* taper_of(const reference::Code& code);
+const CodeWord* taper_of(const Code& code);
 // Addresses that stand in the program, but codes.
 std::set<std::string> addresses_in(const ProgramText& program);
 // With so many decimals.
-reference::Number half_up(const reference::Number& value, int places);
+Number half_up(const Number& value, int places);
 // R105 and similar ones.
 bool is_parameter(const std::string& name);
 // "G110 G111", or "all cycles" of a dialect.
@@ -105,7 +120,7 @@ bool is_of(const ProgramText& program, std::uint64_t line, const Motions& motion
 
 // Where the machine stands when each block begins, by line; and what the block puts out.
 struct BlockPath {
-  reference::Position start;
+  Position start;
   std::vector<Record> records;
 };
 // Empty: the reference cannot decide the program.
@@ -135,7 +150,8 @@ void add_clause_variants(const Observation& departure, Variants& out);
 void add_reference_point_variants(const Observation& departure, Variants& out);
 // Where a motion ends, and along which way a lead counts.
 void add_way_variants(const Observation& departure, Variants& out);
-// Coordinates rounded; motions left out; sums in binary floating point.
+// Coordinates rounded; motions left out; steps counted otherwise.
 void add_model_variants(const Observation& departure, Variants& out);
+void add_step_variants(const Observation& departure, Variants& out);
 
 }  // namespace gonogo::identify

@@ -14,11 +14,6 @@
 namespace gonogo::identify {
 namespace {
 
-using reference::Axis;
-using reference::Number;
-using reference::Position;
-using reference::RecordKind;
-
 void move_on(Position& at, const Record& record) {
   for (const Axis axis : reference::kAllAxes) {
     if (record.axes.has(axis)) at[axis] = record.to[axis];
@@ -144,9 +139,9 @@ void add_leads(const Motions& motions, Variants& out) {
 }
 
 // With the codes that are named after them: G33.1 of G33.
-Motions with_kin(Motions motions, const reference::Descriptor& table) {
+Motions with_kin(Motions motions, const Descriptor& table) {
   const Motions own = motions;
-  for (const reference::Code& code : table.codes) {
+  for (const Code& code : table.codes) {
     for (const std::string& name : own) {
       if (code.name.starts_with(name + ".")) motions.emplace(code.name);
     }
@@ -154,10 +149,10 @@ Motions with_kin(Motions motions, const reference::Descriptor& table) {
   return motions;
 }
 
-const reference::CodeWord* word_of_angle(const reference::Code& code) {
+const CodeWord* word_of_angle(const Code& code) {
   for (const auto& list : code.words) {
-    for (const reference::CodeWord& word : list) {
-      if (word.role == reference::Role::angle) return &word;
+    for (const CodeWord& word : list) {
+      if (word.role == Role::angle) return &word;
     }
   }
   return nullptr;
@@ -165,16 +160,16 @@ const reference::CodeWord* word_of_angle(const reference::Code& code) {
 
 // What adds to the rotation in force: the table has it behind the one that replaces it. Null: the
 // dialect has none.
-const reference::Code* adding_turn(const reference::Descriptor& table) {
-  const reference::Code* last = nullptr;
-  for (const reference::Code& code : table.codes) {
-    if (code.kind == reference::Kind::frame && word_of_angle(code) != nullptr) last = &code;
+const Code* adding_turn(const Descriptor& table) {
+  const Code* last = nullptr;
+  for (const Code& code : table.codes) {
+    if (code.kind == Kind::frame && word_of_angle(code) != nullptr) last = &code;
   }
   return last;
 }
 
 // Whether the block has a word of its code.
-bool has_words(const TextBlock& block, const reference::Code& code) {
+bool has_words(const TextBlock& block, const Code& code) {
   return std::ranges::any_of(
       block.words, [&](const TextWord& word) { return code.find(name_of(word)) != nullptr; });
 }
@@ -183,7 +178,7 @@ bool has_words(const TextBlock& block, const reference::Code& code) {
 // outcome with those lines counted.
 std::optional<ChangedRun> with_turns_kept(const Observation& seen) {
   const ProgramText program(seen.profile, seen.program);
-  const reference::Code* const adds = adding_turn(*program.table);
+  const Code* const adds = adding_turn(*program.table);
   const reference::ReadingChoice& readings = seen.profile.readings;
   const bool keeps =
       readings.is("sie.g158=additive"_reading) || readings.is("sie.g158=translation-only"_reading);
@@ -193,9 +188,9 @@ std::optional<ChangedRun> with_turns_kept(const Observation& seen) {
   for (const TextBlock& block : program.blocks) {
     ++line;
     trial.program += line_text(block);
-    const reference::Code* const own = block.modes.own;
-    if (own == nullptr || own->kind != reference::Kind::frame) continue;
-    if (const reference::CodeWord* const angle_word = word_of_angle(*own)) {
+    const Code* const own = block.modes.own;
+    if (own == nullptr || own->kind != Kind::frame) continue;
+    if (const CodeWord* const angle_word = word_of_angle(*own)) {
       const TextWord* const word = block.find(angle_word->address);
       const auto turned = word == nullptr ? std::nullopt : exact_value_of(*word);
       angle = (own == adds ? angle : Number(0)) + turned.value_or(0);
@@ -215,7 +210,7 @@ std::optional<ChangedRun> with_turns_kept(const Observation& seen) {
 }  // namespace
 
 void add_way_variants(const Observation& departure, Variants& out) {
-  const reference::Descriptor& table = *ProgramText(departure.profile, departure.program).table;
+  const Descriptor& table = *ProgramText(departure.profile, departure.program).table;
   if (adding_turn(table) != nullptr) {
     out.push_back({"a translation leaves the rotation in force", with_turns_kept});
   }

@@ -10,10 +10,6 @@
 
 namespace gonogo::identify {
 
-using reference::Number;
-using reference::Plane;
-using reference::Role;
-
 namespace {
 
 // Words that are read alike, and where.
@@ -33,10 +29,7 @@ struct Scope {
     return fmt::format(" {} G{}", is_outside ? "outside" : "in", plane_code(*plane));
   }
   std::string name() const {
-    std::string text;
-    for (const std::string& address : addresses) {
-      text += fmt::format("{}{}", text.empty() ? "" : " ", address);
-    }
+    std::string text = fmt::format("{}", fmt::join(addresses, " "));
     if (!motions.empty()) text += " of " + names_of(motions);
     return text + where();
   }
@@ -72,16 +65,15 @@ bool where_x_is_a_radius(const TextBlock& block) {
 }
 
 // Also a parameter that is given before the block of its cycle.
-bool is_a_choice(const reference::Descriptor& table, const std::string& name) {
-  return std::ranges::any_of(table.codes, [&](const reference::Code& code) {
-    const reference::CodeWord* const word = code.find(name);
+bool is_a_choice(const Descriptor& table, const std::string& name) {
+  return std::ranges::any_of(table.codes, [&](const Code& code) {
+    const CodeWord* const word = code.find(name);
     return word != nullptr && word->role == Role::number;
   });
 }
 
-bool is_among(Words words, const TextBlock& block, const TextWord& word,
-              const reference::Descriptor& table) {
-  const reference::CodeWord* const known = block.role_of(word, table);
+bool is_among(Words words, const TextBlock& block, const TextWord& word, const Descriptor& table) {
+  const CodeWord* const known = block.role_of(word, table);
   if (known == nullptr) return words != Words::steps && words != Words::choices;
   const bool is_counted =
       known->role == Role::count || known->role == Role::turns || known->role == Role::number;
@@ -143,14 +135,11 @@ const std::vector<Operation>& operations() {
   return kOperations;
 }
 
-void add_operations(const Scope& scope, const reference::Descriptor& table, Variants& out) {
+void add_operations(const Scope& scope, const Descriptor& table, Variants& out) {
   // The simplest goes first: what is ignored may be too small to matter as well.
-  add_edit(
+  add_without(
       fmt::format("{} is ignored", scope.name()),
-      [scope](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-        if (!scope.has(block, word)) return std::nullopt;
-        return "";
-      },
+      [scope](const TextBlock& block, const TextWord& word) { return scope.has(block, word); },
       out);
   for (const Operation& operation : operations()) {
     add_edit(
@@ -169,11 +158,10 @@ void add_operations(const Scope& scope, const reference::Descriptor& table, Vari
       out.back().opposite = fmt::format("{} {}", scope.name(), operation.opposite);
     }
   }
-  add_edit(
+  add_without(
       fmt::format("{} is ignored but under G91", scope.name()),
-      [scope](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-        if (block.modes.incremental || !scope.has(block, word)) return std::nullopt;
-        return "";
+      [scope](const TextBlock& block, const TextWord& word) {
+        return !block.modes.incremental && scope.has(block, word);
       },
       out);
 }
@@ -186,12 +174,12 @@ std::string renamed(const TextWord& word, const std::string& address) {
 // Where they are what they are said to be: K is a centre beside an arc, and a lead beside a thread.
 // No role: anywhere.
 void add_exchange(const std::string& a, const std::string& b, const Scope& scope,
-                  std::optional<Role> role, const reference::Descriptor& table, Variants& out) {
+                  std::optional<Role> role, const Descriptor& table, Variants& out) {
   add_edit(
       fmt::format("{} and {} change places{}", a, b, scope.where()),
       [=, &table](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
         if (!scope.has(block, word)) return std::nullopt;
-        const reference::CodeWord* const known = block.role_of(word, table);
+        const CodeWord* const known = block.role_of(word, table);
         if (role && known != nullptr && known->role != *role) return std::nullopt;
         return renamed(word, name_of(word) == a ? b : a);
       },
@@ -206,7 +194,7 @@ Addresses addresses_of(const ProgramText& program) {
   for (const TextBlock& block : program.blocks) {
     for (const TextWord& word : block.words) {
       if (!is_word(word) || !block.code_of(word).empty()) continue;
-      const reference::CodeWord* const role = block.role_of(word, *program.table);
+      const CodeWord* const role = block.role_of(word, *program.table);
       const bool is_choice = block.modes.in_cycle() && block.modes.code()->find(name_of(word));
       const bool moves_nothing = role != nullptr && (role->role == Role::speed ||
                                                      (role->role == Role::number && !is_choice));
@@ -217,13 +205,13 @@ Addresses addresses_of(const ProgramText& program) {
 }
 
 // What a cycle's own words are called where it is called by its name.
-bool is_parameter_of_cycle(const reference::Descriptor& table, const std::string& name) {
-  return is_parameter(name) && std::ranges::any_of(table.codes, [&](const reference::Code& code) {
-           return code.kind == reference::Kind::cycle && code.find(name) != nullptr;
+bool is_parameter_of_cycle(const Descriptor& table, const std::string& name) {
+  return is_parameter(name) && std::ranges::any_of(table.codes, [&](const Code& code) {
+           return code.kind == Kind::cycle && code.find(name) != nullptr;
          });
 }
 
-void add_exchanges(const reference::Descriptor& table, const Addresses& addresses, Plane plane,
+void add_exchanges(const Descriptor& table, const Addresses& addresses, Plane plane,
                    Variants& out) {
   const auto add_pair = [&](const std::string& a, const std::string& b, std::optional<Role> role) {
     add_exchange(a, b, {{a, b}}, role, table, out);
@@ -249,13 +237,11 @@ void add_exchanges(const reference::Descriptor& table, const Addresses& addresse
 
 // The axis across the plane of an arc does not move.
 void add_flat_arcs(Variants& out) {
-  add_edit(
+  add_without(
       "the third axis of an arc is ignored",
-      [](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
+      [](const TextBlock& block, const TextWord& word) {
         const char third = "XYZ"[index(axes_of(block.modes.plane).d)];
-        const bool is_third = name_of(word) == std::string(1, third);
-        if (!block.modes.is_of(reference::Kind::arc) || !is_third) return std::nullopt;
-        return "";
+        return block.modes.is_of(Kind::arc) && name_of(word) == std::string(1, third);
       },
       out);
 }
@@ -264,7 +250,7 @@ void add_flat_arcs(Variants& out) {
 
 void add_word_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
-  const reference::Descriptor& table = *program.table;
+  const Descriptor& table = *program.table;
   const Addresses addresses = addresses_of(program);
   const std::size_t line = departure.verdict.block;
   const bool known = line > 0 && line <= program.blocks.size();

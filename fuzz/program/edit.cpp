@@ -19,6 +19,12 @@ std::optional<std::string> edited(const ProgramText& program, const WordEdit& ed
   return changed ? std::optional(std::move(out)) : std::nullopt;
 }
 
+std::optional<std::string> without_words(const ProgramText& program, const WordTest& goes) {
+  return edited(program, [&](const TextBlock& block, const TextWord& word) {
+    return goes(block, word) ? std::optional<std::string>("") : std::nullopt;
+  });
+}
+
 std::optional<std::string> edited_in_order(const ProgramText& program, const BlockEdit& add) {
   std::string out;
   bool changed = false;

@@ -17,8 +17,13 @@ using WordEdit = std::function<std::optional<std::string>(const TextBlock&, cons
 // What to add after the last word of a block; "": nothing.
 using BlockEdit = std::function<std::string(const TextBlock&)>;
 
+// Whether a word goes.
+using WordTest = std::function<bool(const TextBlock&, const TextWord&)>;
+
 // The program with its words edited. Nothing: nothing changes.
 std::optional<std::string> edited(const ProgramText& program, const WordEdit& edit);
+// The program without the words that go. Nothing: none does.
+std::optional<std::string> without_words(const ProgramText& program, const WordTest& goes);
 // The program with something added, block by block in the order of the program.
 std::optional<std::string> edited_in_order(const ProgramText& program, const BlockEdit& add);
 

@@ -9,12 +9,6 @@
 namespace gonogo::relations {
 namespace {
 
-using program::ProgramText;
-using program::TextBlock;
-using program::TextLine;
-using program::TextWord;
-using reference::Kind;
-
 struct Halves {
   TextLine first;
   TextLine second;
@@ -75,14 +69,14 @@ std::optional<Halves> halves_of(const TextBlock& block, const WrittenPlaces& pla
 }
 
 // Its records go on in other coordinates, so that they do not say where a motion begins.
-bool names_anew(const reference::Code& code) {
+bool names_anew(const Code& code) {
   return code.kind == Kind::rename;
 }
 
 }  // namespace
 
 // J-PROP-11
-std::optional<Related> in_halves(const generate::GeneratedProgram& program) {
+std::optional<Related> in_halves(const GeneratedProgram& program) {
   const ProgramText text(program.profile, program.text);
   if (has_unclear_order(text) || has_open_path(text) || any_code(text, names_anew)) {
     return std::nullopt;

@@ -8,14 +8,6 @@
 namespace gonogo::relations {
 namespace {
 
-using program::ProgramText;
-using program::TextBlock;
-using program::TextWord;
-using reference::Code;
-using reference::Group;
-using reference::Kind;
-using reference::Setting;
-
 bool has_way_words(const ProgramText& text) {
   return text.table->find(Kind::line)->takes('U');
 }
@@ -54,22 +46,22 @@ std::optional<TextBlock> with_increments(const TextBlock& block, const WrittenPl
 
 }  // namespace
 
-std::size_t ways_of_increments(const generate::GeneratedProgram& program) {
+std::size_t ways_of_increments(const GeneratedProgram& program) {
   const ProgramText text(program.profile, program.text);
   const bool has_mode = text.table->find(Setting::incremental) != nullptr;
   return std::size_t{has_way_words(text)} + std::size_t{has_mode};
 }
 
 // J-PROP-11
-std::optional<Related> by_increments(const generate::GeneratedProgram& program, std::size_t way) {
+std::optional<Related> by_increments(const GeneratedProgram& program, std::size_t way) {
   const ProgramText text(program.profile, program.text);
   if (has_unclear_order(text) || has_open_path(text)) return std::nullopt;
   const bool by_words = way == 0 && has_way_words(text);
   const auto code_line = [&](Setting setting) {
-    return program::TextLine{{{"", std::string(text.table->find(setting)->name)}}, "", "\n"};
+    return TextLine{{{"", std::string(text.table->find(setting)->name)}}, "", "\n"};
   };
   WrittenPlaces places(text, program.profile);
-  std::vector<program::TextLine> lines;
+  std::vector<TextLine> lines;
   Related related;
   bool changes = false;
   for (const TextBlock& block : text.blocks) {
@@ -81,7 +73,7 @@ std::optional<Related> by_increments(const generate::GeneratedProgram& program, 
     places.take(block);
     changes = changes || other.has_value();
     if (other && !by_words) lines.push_back(code_line(Setting::incremental));
-    lines.push_back(other ? static_cast<const program::TextLine&>(*other) : block);
+    lines.push_back(other ? static_cast<const TextLine&>(*other) : block);
     related.lines.push_back(lines.size());
     // Behind the last line it would be another last line, which an alarm may name.
     if (!other || by_words || &block == &text.blocks.back()) continue;

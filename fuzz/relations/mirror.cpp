@@ -10,13 +10,6 @@ namespace gonogo::relations {
 namespace {
 
 using program::NumberPlace;
-using program::ProgramText;
-using program::TextBlock;
-using program::TextWord;
-using reference::Code;
-using reference::Kind;
-using reference::Profile;
-using reference::Role;
 
 // Whether arcs turn the other way. Nothing where they would in some planes only: G2 is modal.
 std::optional<bool> swaps_arcs(const ProgramText& text, const Profile& profile, std::size_t axis) {
@@ -40,7 +33,7 @@ bool says_more(const Code& code) {
   const bool turns_frame = code.kind == Kind::frame && code.find("X") == nullptr;
   return code.is_open_path || code.kind == Kind::reference_point || code.kind == Kind::rename ||
          code.kind == Kind::pole || turns_frame ||
-         (code.kind == Kind::cycle && code.group == reference::Group::once);
+         (code.kind == Kind::cycle && code.group == Group::once);
 }
 
 bool is_along_plane_axis(Role role) {
@@ -106,7 +99,7 @@ bool is_beside_its_plane(const TextBlock& block) {
 
 }  // namespace
 
-std::optional<Related> mirrored(const generate::GeneratedProgram& program, std::size_t axis) {
+std::optional<Related> mirrored(const GeneratedProgram& program, std::size_t axis) {
   const Profile& profile = program.profile;
   ProgramText text(profile, program.text);
   const reference::Descriptor& table = *text.table;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fuzz/program/mutator/dice.hpp"
-#include "reference/exact/number.hpp"
+#include "reference/axis.hpp"
 
 namespace gonogo::relations {
 

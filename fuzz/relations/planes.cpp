@@ -9,16 +9,6 @@
 namespace gonogo::relations {
 namespace {
 
-using program::ProgramText;
-using program::TextBlock;
-using program::TextWord;
-using reference::Code;
-using reference::Group;
-using reference::Kind;
-using reference::Profile;
-using reference::Role;
-using reference::Setting;
-
 // Codes that know axes by their names, or places that are not in the program.
 bool knows_axes(const Code& code) {
   const bool holds_once = code.kind == Kind::mode && code.group == Group::once;
@@ -80,8 +70,7 @@ reference::Plane turned(reference::Plane plane, std::size_t turns) {
 }
 
 // J-PROP-11
-std::optional<Related> in_other_plane(const generate::GeneratedProgram& program,
-                                      std::size_t turns) {
+std::optional<Related> in_other_plane(const GeneratedProgram& program, std::size_t turns) {
   const Profile& profile = program.profile;
   ProgramText text(profile, program.text);
   const reference::Descriptor& table = *text.table;

@@ -7,10 +7,6 @@
 namespace gonogo::relations {
 namespace {
 
-using program::TextBlock;
-using program::TextLine;
-using program::TextWord;
-
 // Whether it can stand before the head of a program.
 bool is_before_blocks(const TextLine& line) {
   return line.words.empty() || line.words.front().text.find_first_of("%O(;") == 0;
@@ -24,8 +20,7 @@ std::vector<std::uint64_t> same_lines(std::size_t count) {
   return lines;
 }
 
-std::optional<Related> with_block_before(const generate::GeneratedProgram& program,
-                                         std::string block) {
+std::optional<Related> with_block_before(const GeneratedProgram& program, std::string block) {
   std::vector<TextLine> lines = program::lines_of(program.text);
   const auto first = std::ranges::find_if_not(lines, is_before_blocks);
   if (first == lines.end() || first->words.front().text.front() == '/') return std::nullopt;
@@ -69,24 +64,21 @@ namespace {
 
 // Modes under which a word is not the way or the feed that it says: F of inverse time hangs on the
 // way of its block, X of a mill is a diameter, and saved modes come back unnamed.
-bool has_modes_of_their_own(const program::ProgramText& text) {
-  using reference::Setting;
-  const bool is_mill = text.table->find(reference::Kind::line)->takes('Y');
-  const auto is_one = [](const reference::Code& code) {
-    return code.setting == Setting::inverse_time || code.group == reference::Group::saved_modes;
+bool has_modes_of_their_own(const ProgramText& text) {
+  const bool is_mill = text.table->find(Kind::line)->takes('Y');
+  const auto is_one = [](const Code& code) {
+    return code.setting == Setting::inverse_time || code.group == Group::saved_modes;
   };
-  const auto is_diameter = [](const reference::Code& code) {
-    return code.setting == Setting::diameter;
-  };
+  const auto is_diameter = [](const Code& code) { return code.setting == Setting::diameter; };
   return any_code(text, is_one) || (is_mill && any_code(text, is_diameter));
 }
 
 }  // namespace
 
-bool has_unclear_words(const program::ProgramText& text) {
+bool has_unclear_words(const ProgramText& text) {
   if (has_modes_of_their_own(text)) return true;
   const auto is_unknown = [&](const std::string& name) {
-    const reference::Code* const code = text.table->find(name);
+    const Code* const code = text.table->find(name);
     const bool is_undefined = name.starts_with('G') && code == nullptr;
     return is_undefined || (code != nullptr && code->treatment == reference::Treatment::outside);
   };
@@ -96,40 +88,38 @@ bool has_unclear_words(const program::ProgramText& text) {
   });
 }
 
-bool any_code(const program::ProgramText& text, bool (*is_it)(const reference::Code&)) {
+bool any_code(const ProgramText& text, bool (*is_it)(const Code&)) {
   return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
     return std::ranges::any_of(block.codes, [&](const std::string& name) {
-      const reference::Code* const code = text.table->find(name);
+      const Code* const code = text.table->find(name);
       return code != nullptr && is_it(*code);
     });
   });
 }
 
-bool names_own_axes(const reference::Code& code) {
+bool names_own_axes(const Code& code) {
   std::ptrdiff_t places = 0;
   for (const auto& list : code.words) {
     places += std::ranges::count_if(list, [](const reference::CodeWord& word) {
       const bool is_axis = word.address == "X" || word.address == "Y" || word.address == "Z";
-      return is_axis && word.role == reference::Role::place;
+      return is_axis && word.role == Role::place;
     });
   }
   return places == 1 || places == 2;
 }
 
-bool is_in_steps(const reference::Code& code) {
-  return code.kind == reference::Kind::cycle &&
-         std::ranges::any_of(code.words, [](const auto& list) {
-           return std::ranges::any_of(list, [](const reference::CodeWord& word) {
-             return word.role == reference::Role::step;
-           });
+bool is_in_steps(const Code& code) {
+  return code.kind == Kind::cycle && std::ranges::any_of(code.words, [](const auto& list) {
+           return std::ranges::any_of(
+               list, [](const reference::CodeWord& word) { return word.role == Role::step; });
          });
 }
 
-bool has_open_path(const program::ProgramText& text) {
-  return any_code(text, [](const reference::Code& code) { return code.is_open_path; });
+bool has_open_path(const ProgramText& text) {
+  return any_code(text, [](const Code& code) { return code.is_open_path; });
 }
 
-bool any_role(const program::ProgramText& text, bool (*is_it)(reference::Role)) {
+bool any_role(const ProgramText& text, bool (*is_it)(Role)) {
   return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
     return std::ranges::any_of(block.words, [&](const TextWord& word) {
       const reference::CodeWord* const role = block.role_of(word, *text.table);
@@ -138,8 +128,7 @@ bool any_role(const program::ProgramText& text, bool (*is_it)(reference::Role)) 
   });
 }
 
-std::optional<reference::Plane> only_plane(const program::ProgramText& text,
-                                           const reference::Profile& profile) {
+std::optional<reference::Plane> only_plane(const ProgramText& text, const Profile& profile) {
   std::optional<reference::Plane> plane;
   for (const TextBlock& block : text.blocks) {
     if (!is_run(block, profile)) continue;
@@ -149,7 +138,7 @@ std::optional<reference::Plane> only_plane(const program::ProgramText& text,
   return plane.value_or(profile.initial.plane);
 }
 
-bool has_unclear_order(const program::ProgramText& text) {
+bool has_unclear_order(const ProgramText& text) {
   if (has_modes_of_their_own(text)) return true;
   const auto is_g_word = [](const TextWord& word) {
     return word.text.front() == 'G' || word.text.front() == 'g';
@@ -159,7 +148,7 @@ bool has_unclear_order(const program::ProgramText& text) {
     return std::ranges::any_of(block.words, [&](const TextWord& word) {
       const char first = word.text.front();
       const std::string& name = block.code_of(word);
-      const reference::Code* const code = text.table->find(name);
+      const Code* const code = text.table->find(name);
       const bool is_outside = code != nullptr && code->treatment == reference::Treatment::outside;
       const bool is_unclear_code =
           is_g_word(word) && (is_cut(word) || is_nearly_a_code(word) || code == nullptr);
@@ -168,7 +157,7 @@ bool has_unclear_order(const program::ProgramText& text) {
   });
 }
 
-bool is_calculated(const program::ProgramText& text) {
+bool is_calculated(const ProgramText& text) {
   return std::ranges::any_of(text.blocks, [](const TextBlock& block) {
     return std::ranges::any_of(block.words, [](const TextWord& word) {
       const char first = word.text.front();
@@ -179,7 +168,7 @@ bool is_calculated(const program::ProgramText& text) {
   });
 }
 
-bool is_run(const TextBlock& block, const reference::Profile& profile) {
+bool is_run(const TextBlock& block, const Profile& profile) {
   return std::ranges::any_of(block.words, program::is_word) && !is_left_out(block, profile);
 }
 
@@ -203,7 +192,6 @@ bool has_room(const Number& number) {
 
 std::optional<AlongAxis> axis_of(const TextWord& word, const TextBlock& block,
                                  const reference::Descriptor& table) {
-  using reference::Role;
   const reference::CodeWord* const known = block.role_of(word, table);
   if (known == nullptr) return std::nullopt;
   const reference::PlaneAxes plane = axes_of(block.modes.plane);

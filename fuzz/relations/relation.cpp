@@ -11,24 +11,23 @@ namespace gonogo::relations {
 namespace {
 
 using program::lines_of;
-using program::TextLine;
-using program::TextWord;
 
-std::size_t one(const generate::GeneratedProgram&) {
-  return 1;
+// So many variants of every program.
+template <std::size_t kCount>
+std::size_t always(const GeneratedProgram&) {
+  return kCount;
+}
+// The one variant of a relation that has no more.
+template <std::optional<Related> (*kRelate)(const GeneratedProgram&)>
+std::optional<Related> only(const GeneratedProgram& program, std::size_t) {
+  return kRelate(program);
 }
 
-std::optional<Related> again(const generate::GeneratedProgram& program, std::size_t) {
+std::optional<Related> again(const GeneratedProgram& program) {
   Related related;
   related.program = program;
   related.lines = same_lines(lines_of(program.text).size());
   return related;
-}
-
-// CR LF, blanks, leading zeros, comments at the ends of lines.
-constexpr std::size_t kSpellings = 4;
-std::size_t spellings(const generate::GeneratedProgram&) {
-  return kSpellings;
 }
 
 // Lines of the tape, names and numbers of programs and blocks have rules of their own.
@@ -58,7 +57,8 @@ void add_zeros(std::vector<TextWord>& words) {
   }
 }
 
-std::optional<Related> spelled(const generate::GeneratedProgram& program, std::size_t variant) {
+// CR LF, blanks, leading zeros, comments at the ends of lines.
+std::optional<Related> spelled(const GeneratedProgram& program, std::size_t variant) {
   std::vector<TextLine> lines = lines_of(program.text);
   for (TextLine& line : lines) {
     if (variant == 0 && line.end == "\n") line.end = "\r\n";
@@ -80,7 +80,7 @@ std::optional<Related> spelled(const generate::GeneratedProgram& program, std::s
 
 // A line without words and one with a comment alone, behind every line but the last, which may be
 // the one that alarms where an end is missing.
-std::optional<Related> spread(const generate::GeneratedProgram& program, std::size_t) {
+std::optional<Related> spread(const GeneratedProgram& program) {
   const std::vector<TextLine> lines = lines_of(program.text);
   Related related;
   std::vector<TextLine> wide;
@@ -95,12 +95,12 @@ std::optional<Related> spread(const generate::GeneratedProgram& program, std::si
   return related;
 }
 
-std::size_t cuts(const generate::GeneratedProgram& program) {
+std::size_t cuts(const GeneratedProgram& program) {
   const std::size_t lines = lines_of(program.text).size();
   return lines < 2 ? 0 : lines - 1;
 }
 
-std::optional<Related> cut_short(const generate::GeneratedProgram& program, std::size_t variant) {
+std::optional<Related> cut_short(const GeneratedProgram& program, std::size_t variant) {
   // Such a control reads the whole program before it moves.
   if (program.profile.alarm_timing == reference::AlarmTiming::program) return std::nullopt;
   std::vector<TextLine> lines = lines_of(program.text);
@@ -118,66 +118,42 @@ std::optional<Related> cut_short(const generate::GeneratedProgram& program, std:
 }
 
 // The modes of power-on, said again before the first block.
-std::string modes_of(const reference::Profile& profile) {
+std::string modes_of(const Profile& profile) {
   std::string block;
-  for (const reference::Code* code : reference::power_on_codes(profile)) {
-    if (code->kind != reference::Kind::mode) continue;
+  for (const Code* code : reference::power_on_codes(profile)) {
+    if (code->kind != Kind::mode) continue;
     block += (block.empty() ? "" : " ") + std::string(code->name);
   }
   return block;
 }
 
-std::optional<Related> with_modes(const generate::GeneratedProgram& program, std::size_t) {
+std::optional<Related> with_modes(const GeneratedProgram& program) {
   return with_block_before(program, modes_of(program.profile));
 }
 
-std::size_t linear_axes(const generate::GeneratedProgram&) {
-  return 3;
-}
-
-std::optional<Related> moved(const generate::GeneratedProgram& program, std::size_t) {
-  return translated(program);
-}
-
 // J-PROP-11
-std::size_t ways_of_units(const generate::GeneratedProgram&) {
-  return 2;
-}
-std::optional<Related> converted(const generate::GeneratedProgram& program, std::size_t variant) {
+std::optional<Related> converted(const GeneratedProgram& program, std::size_t variant) {
   return variant == 0 ? in_other_unit(program) : same_numbers(program);
 }
 
 // J-PROP-11
-std::size_t other_planes(const generate::GeneratedProgram&) {
-  return 2;
-}
-std::optional<Related> in_plane(const generate::GeneratedProgram& program, std::size_t variant) {
+std::optional<Related> in_plane(const GeneratedProgram& program, std::size_t variant) {
   return in_other_plane(program, variant + 1);
-}
-
-// J-PROP-11
-std::optional<Related> halved(const generate::GeneratedProgram& program, std::size_t) {
-  return in_halves(program);
-}
-
-// J-PROP-11
-std::optional<Related> repeated(const generate::GeneratedProgram& program, std::size_t) {
-  return unrolled(program);
 }
 
 constexpr auto kRelations = std::to_array<Relation>({
     {.name = "again",
      .sentence = "A program does the same when it is run once more.",
-     .variants = &one,
-     .relate = &again},
+     .variants = &always<1>,
+     .relate = &only<again>},
     {.name = "spelling",
      .sentence = "Ends of lines, blanks, leading zeros and comments change nothing.",
-     .variants = &spellings,
+     .variants = &always<4>,
      .relate = &spelled},
     {.name = "empty-lines",
      .sentence = "Lines without words change nothing.",
-     .variants = &one,
-     .relate = &spread},
+     .variants = &always<1>,
+     .relate = &only<spread>},
     {.name = "beginning",
      .sentence = "A block does the same, whichever blocks follow it.",
      .needs_lines = true,
@@ -185,28 +161,28 @@ constexpr auto kRelations = std::to_array<Relation>({
      .relate = &cut_short},
     {.name = "modes-again",
      .sentence = "The modes of power-on, written before the program, change nothing.",
-     .variants = &one,
-     .relate = &with_modes},
+     .variants = &always<1>,
+     .relate = &only<with_modes>},
     {.name = "translation",
      .sentence = "A program that is moved as a whole does the same there.",
      .exact = false,
-     .variants = &one,
-     .relate = &moved},
+     .variants = &always<1>,
+     .relate = &only<translated>},
     {.name = "mirror",
      .sentence = "A program that is mirrored along an axis does the same there.",
      .exact = false,
-     .variants = &linear_axes,
+     .variants = &always<3>,
      .relate = &mirrored},
     {.name = "units",
      .sentence = "A program in the other unit of length does the same, and with the same "
                  "numbers 127/5 times as much.",
      .exact = false,
-     .variants = &ways_of_units,
+     .variants = &always<2>,
      .relate = &converted},
     {.name = "planes",
      .sentence = "A program with its axes and planes changed in a cycle does the same there.",
      .exact = false,
-     .variants = &other_planes,
+     .variants = &always<2>,
      .relate = &in_plane},
     {.name = "increments",
      .sentence = "End points do the same as the increments that lead to them.",
@@ -217,13 +193,13 @@ constexpr auto kRelations = std::to_array<Relation>({
      .sentence = "A straight motion does the same as its two halves.",
      .exact = false,
      .needs_lines = true,
-     .variants = &one,
-     .relate = &halved},
+     .variants = &always<1>,
+     .relate = &only<in_halves>},
     {.name = "repeats",
      .sentence = "A block that makes several holes does the same as a block for each.",
      .exact = false,
-     .variants = &one,
-     .relate = &repeated},
+     .variants = &always<1>,
+     .relate = &only<unrolled>},
 });
 
 }  // namespace

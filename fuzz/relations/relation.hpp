@@ -16,6 +16,7 @@
 
 namespace gonogo::relations {
 
+using generate::GeneratedProgram;
 using reference::Number;
 
 // How feeds and leads are held against each other: to the last digit, as places are, or not at all.
@@ -23,7 +24,7 @@ enum class Feeds : std::uint8_t { equal, near, any };
 
 // The other program, and what of the first one has to come back.
 struct Related {
-  generate::GeneratedProgram program;
+  GeneratedProgram program;
   std::size_t turned = 0;  // so often X becomes Y, Y becomes Z and Z becomes X; before all else
   Number scale = 1;        // of lengths, feeds and leads
   std::array<Number, reference::kAxes> shift;        // of every place, mm
@@ -50,9 +51,9 @@ struct Relation {
   bool exact = true;          // to the last digit; else within the subject's resolution
   bool needs_lines = false;   // it says nothing of records without lines
   // How many variants there are of this program.
-  std::size_t (*variants)(const generate::GeneratedProgram& program);
+  std::size_t (*variants)(const GeneratedProgram& program);
   // Nothing where the program does not lend itself to it. REQUIRES: variant < variants(program).
-  std::optional<Related> (*relate)(const generate::GeneratedProgram& program, std::size_t variant);
+  std::optional<Related> (*relate)(const GeneratedProgram& program, std::size_t variant);
 };
 
 std::span<const Relation> relations();
@@ -60,6 +61,6 @@ std::span<const Relation> relations();
 const Relation* find_relation(std::string_view name);
 
 // The program elsewhere: its absolute places moved, or a work offset or frame before it.
-std::optional<Related> translated(const generate::GeneratedProgram& program);
+std::optional<Related> translated(const GeneratedProgram& program);
 
 }  // namespace gonogo::relations

@@ -10,18 +10,10 @@
 namespace gonogo::relations {
 namespace {
 
-using program::ProgramText;
-using program::TextBlock;
-using program::TextLine;
-using program::TextWord;
-using reference::Code;
-using reference::Group;
-using reference::Kind;
-
 constexpr int kMostRepeats = 20;
 
 bool is_feature_of_steps(const reference::CodeWord* word) {
-  return word != nullptr && word->role == reference::Role::count;
+  return word != nullptr && word->role == Role::count;
 }
 
 // How many holes the block makes, where it may be unrolled; nothing: it may not.
@@ -75,7 +67,7 @@ class ReturnMode {
 }  // namespace
 
 // J-PROP-11
-std::optional<Related> unrolled(const generate::GeneratedProgram& program) {
+std::optional<Related> unrolled(const GeneratedProgram& program) {
   const ProgramText text(program.profile, program.text);
   if (has_unclear_order(text)) return std::nullopt;
   Related related;

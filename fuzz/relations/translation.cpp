@@ -12,15 +12,8 @@ namespace gonogo::relations {
 namespace {
 
 using program::NumberPlace;
-using program::ProgramText;
 using program::SmallDecimal;
-using program::TextBlock;
-using program::TextWord;
 using reference::Axis;
-using reference::Code;
-using reference::Kind;
-using reference::Profile;
-using reference::Role;
 using reference::Units;
 
 // How far, along X, Y, Z: whole inches, so that words in inches have no more decimals than before.
@@ -88,8 +81,7 @@ bool add_to_expression(TextWord& word, const SmallDecimal& step) {
   return true;
 }
 
-Related moved_text(const generate::GeneratedProgram& program, const Way& way,
-                   const ProgramText& text) {
+Related moved_text(const GeneratedProgram& program, const Way& way, const ProgramText& text) {
   Related related;
   related.program = {program.profile, text.text()};
   related.lines = same_lines(text.blocks.size());
@@ -120,7 +112,7 @@ bool puts_pole(const Code& code) {
 
 // A tool length moves all places by the same.
 bool renames(const Code& code) {
-  return code.kind == Kind::rename && code.group != reference::Group::tool_length;
+  return code.kind == Kind::rename && code.group != Group::tool_length;
 }
 
 bool is_along_depth(Role role) {
@@ -129,7 +121,7 @@ bool is_along_depth(Role role) {
 
 // The absolute words are written anew. In cycles with words along the depth axis that axis stays.
 // Poles at the workpiece zero, as they are after a plane code, stay there: no polar words.
-std::optional<Related> translated_words(const generate::GeneratedProgram& program) {
+std::optional<Related> translated_words(const GeneratedProgram& program) {
   const Profile& profile = program.profile;
   ProgramText text(profile, program.text);
   if (has_unclear_words(text) || any_role(text, is_polar) || any_code(text, puts_pole) ||
@@ -158,7 +150,7 @@ std::optional<Related> translated_words(const generate::GeneratedProgram& progra
 
 // By the work offsets along X and Z; the first of them stands before the program, where it makes no
 // difference otherwise.
-std::optional<Related> translated_by_offset(const generate::GeneratedProgram& program,
+std::optional<Related> translated_by_offset(const GeneratedProgram& program,
                                             const reference::Dialect& dialect) {
   const std::string first(dialect.offsets.front());
   const auto own = program.profile.offsets.find(first);
@@ -178,8 +170,7 @@ std::optional<Related> translated_by_offset(const generate::GeneratedProgram& pr
 }
 
 bool moves_frame(const Code& code) {
-  return code.kind == Kind::frame || code.group == reference::Group::frame ||
-         code.group == reference::Group::offset;
+  return code.kind == Kind::frame || code.group == Group::frame || code.group == Group::offset;
 }
 
 bool is_bare_g(const TextWord& word) {
@@ -194,8 +185,7 @@ bool has_increments(const ProgramText& text) {
   });
 }
 
-std::optional<Related> translated_by_frame(const generate::GeneratedProgram& program,
-                                           const Code& frame) {
+std::optional<Related> translated_by_frame(const GeneratedProgram& program, const Code& frame) {
   const ProgramText text(program.profile, program.text);
   const bool has_bare_g = std::ranges::any_of(text.blocks, [](const TextBlock& block) {
     return std::ranges::any_of(block.words, is_bare_g);
@@ -218,7 +208,7 @@ std::optional<Related> translated_by_frame(const generate::GeneratedProgram& pro
 
 }  // namespace
 
-std::optional<Related> translated(const generate::GeneratedProgram& program) {
+std::optional<Related> translated(const GeneratedProgram& program) {
   const reference::Dialect& dialect = *reference::find_dialect(program.profile.dialect);
   const reference::Descriptor& table = *dialect.descriptor;
   const Code* const frame = table.find(Kind::frame);

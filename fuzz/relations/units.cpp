@@ -8,15 +8,6 @@
 namespace gonogo::relations {
 namespace {
 
-using program::ProgramText;
-using program::TextBlock;
-using program::TextWord;
-using reference::Code;
-using reference::Group;
-using reference::Kind;
-using reference::Profile;
-using reference::Role;
-using reference::Setting;
 using reference::Units;
 
 bool is_length(Role role) {
@@ -129,7 +120,7 @@ void rescale_machine(Profile& profile, const Number& scale) {
 }
 
 // With the numbers converted, or the same ones.
-std::optional<Related> rewritten(const generate::GeneratedProgram& program, bool converts) {
+std::optional<Related> rewritten(const GeneratedProgram& program, bool converts) {
   const Profile& profile = program.profile;
   ProgramText text(profile, program.text);
   const std::optional<bool> inch = only_unit(text, profile);
@@ -171,12 +162,12 @@ std::optional<Related> rewritten(const generate::GeneratedProgram& program, bool
 }  // namespace
 
 // J-PROP-11
-std::optional<Related> in_other_unit(const generate::GeneratedProgram& program) {
+std::optional<Related> in_other_unit(const GeneratedProgram& program) {
   return rewritten(program, true);
 }
 
 // Lengths of the machine's own would not be larger; arcs may be off by a length that is one.
-std::optional<Related> same_numbers(const generate::GeneratedProgram& program) {
+std::optional<Related> same_numbers(const GeneratedProgram& program) {
   const Profile& profile = program.profile;
   const ProgramText text(profile, program.text);
   if (!profile.parameters.empty() || any_role(text, is_centre) || any_code(text, is_circle)) {

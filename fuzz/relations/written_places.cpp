@@ -6,13 +6,6 @@
 namespace gonogo::relations {
 namespace {
 
-using program::TextBlock;
-using program::TextWord;
-using reference::Code;
-using reference::Group;
-using reference::Kind;
-using reference::Role;
-
 // Modes that leave coordinates what they are.
 bool is_harmless(const Code& code) {
   switch (code.group) {
@@ -50,7 +43,7 @@ bool is_plain_word(const TextWord& word, const TextBlock& block,
 }  // namespace
 
 // Where no offset can be in force the machine's coordinates are those of the program.
-WrittenPlaces::WrittenPlaces(const program::ProgramText& text, const reference::Profile& profile)
+WrittenPlaces::WrittenPlaces(const ProgramText& text, const Profile& profile)
     : text_(text), profile_(profile) {
   if (!profile.offsets.empty() || !profile.parameters.empty()) return;
   for (std::size_t axis = 0; axis < at_.size(); ++axis) {

@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "fuzz/generate/decision_mutator.hpp"
 #include "fuzz/targets/fixed_stream.hpp"
 #include "fuzz/targets/target.hpp"
-#include "fuzz/generate/decision_mutator.hpp"
-
-// libFuzzer's own mutations. Other engines have none.
-extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
-                                                              std::size_t most);
 
 namespace gonogo::fuzz {
 namespace {

@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <span>
 #include <unordered_set>
 
+#include "fuzz/generate/generator.hpp"
+#include "fuzz/generate/program_report.hpp"
 #include "fuzz/targets/sign_counters.hpp"
 #include "fuzz/targets/target.hpp"
 #include "fuzz/tried_subject.hpp"
-#include "fuzz/generate/generator.hpp"
-#include "fuzz/generate/program_report.hpp"
 #include "oracle/differential/differential.hpp"
 #include "oracle/differential/domain.hpp"
 
@@ -24,7 +23,6 @@ TriedSubject make_subject(std::string_view name, std::string_view dialect) {
   const char* const other = std::getenv("GONOGO_FUZZ_SUBJECT");
   std::string expander(name);
   if (!planted_fault().empty()) expander += "+" + std::string(planted_fault());
-  if (dialect.empty()) dialect = generate::find_generator(name)->dialect;
   try {
     return {other == nullptr ? expander : other, std::string(dialect)};
   } catch (const oracle::SubjectUnusable& error) {
@@ -113,7 +111,7 @@ generate::GeneratedProgram generate(std::string_view name, std::string_view dial
 
 }  // namespace
 
-void try_expander(std::string_view name, generate::Choices choices, std::string_view dialect) {
+void try_expander(std::string_view name, std::string_view dialect, generate::Choices choices) {
   constexpr std::size_t kMostRecords = 1'000;  // a tenth of a second under the sanitizers
   static const TriedSubject tried = make_subject(name, dialect);
   static ProgramStatistics statistics;
@@ -127,7 +125,7 @@ void try_expander(std::string_view name, generate::Choices choices, std::string_
   statistics.count_verdict(check(tried.subject(), program->profile, program->text, kMostRecords));
 }
 
-void decide_program(std::string_view name, generate::Choices& choices, std::string_view dialect) {
+void decide_program(std::string_view name, std::string_view dialect, generate::Choices& choices) {
   generate(name, dialect, choices, nullptr);
 }
 

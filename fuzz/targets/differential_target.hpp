@@ -9,17 +9,16 @@
 #include <cstdint>
 #include <string_view>
 
-#include "fuzz/targets/target.hpp"
 #include "fuzz/generate/choices.hpp"
+#include "fuzz/targets/target.hpp"
 
 namespace gonogo::fuzz {
 
-// The program that the choices decide, through the expander of that name; of its first dialect
-// where none is given. One name and dialect a process.
-void try_expander(std::string_view name, generate::Choices choices, std::string_view dialect = {});
+// The program that the choices decide, through the expander of that name. One name and dialect a
+// process.
+void try_expander(std::string_view name, std::string_view dialect, generate::Choices choices);
 // Makes the same choices, and tries nothing.
-void decide_program(std::string_view name, generate::Choices& choices,
-                    std::string_view dialect = {});
+void decide_program(std::string_view name, std::string_view dialect, generate::Choices& choices);
 
 // One input: a program for the dialect's machine of defaults.
 void try_text(std::string_view name, std::string_view dialect, const std::uint8_t* data,

@@ -13,10 +13,6 @@
 #include "fuzz/targets/fixed_stream.hpp"
 #include "fuzz/targets/target.hpp"
 
-// libFuzzer's own mutations, with what it saw compared. Other engines have none.
-extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
-                                                              std::size_t most);
-
 namespace gonogo::fuzz {
 namespace {
 

@@ -86,7 +86,7 @@ std::string read_journal(std::string_view file) {
 std::string read_compared(std::string_view file) {
   return answer_of<ResultsError>([&] {
     const std::string path = scratch().put("results.jsonl", mended_results(file));
-    return evidence::comparison_text(evidence::compare_results(path, path),
+    return evidence::comparison_text(evidence::compare_runs({path, path}),
                                      evidence::CompareFormat::text);
   });
 }

@@ -8,17 +8,16 @@
 #include <fstream>
 #include <iterator>
 #include <random>
-#include <string_view>
 
 #include "fuzz/targets/target.hpp"
 
 // The structured mutator of the target, which it has for its engine.
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
-                                               unsigned int seed);
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned int seed);
 // Targets that read NC text cross two of them; decisions are not crossed.
 extern "C" __attribute__((weak)) std::size_t LLVMFuzzerCustomCrossOver(
-    const std::uint8_t* one, std::size_t one_size, const std::uint8_t* other, std::size_t other_size,
-    std::uint8_t* out, std::size_t most, unsigned int seed);
+    const std::uint8_t* one, std::size_t one_size, const std::uint8_t* other,
+    std::size_t other_size, std::uint8_t* out, std::size_t most, unsigned int seed);
 
 namespace gonogo::fuzz {
 namespace {

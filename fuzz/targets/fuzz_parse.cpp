@@ -4,7 +4,6 @@
 // within their line. Every line goes through every dialect, so an input is plain NC text and one
 // that is found for a dialect serves the others. Cost cap: 4 KiB, since longer inputs only repeat
 // what a block can hold.
-#include <cstdlib>
 
 #include "fuzz/targets/target.hpp"
 #include "grammar/line_source.hpp"

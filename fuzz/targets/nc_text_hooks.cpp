@@ -7,13 +7,9 @@
 #include <cstdlib>
 #include <string>
 
+#include "fuzz/program/mutator/program_mutator.hpp"
 #include "fuzz/targets/fixed_stream.hpp"
 #include "fuzz/targets/target.hpp"
-#include "fuzz/program/mutator/program_mutator.hpp"
-
-// libFuzzer's own mutations, with its dictionary and what it saw compared. Other engines have none.
-extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
-                                                              std::size_t most);
 
 namespace {
 
@@ -41,7 +37,8 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned int seed) {
-  if (LLVMFuzzerMutate != nullptr && is_turn_of_engine(seed)) return LLVMFuzzerMutate(data, size, most);
+  if (LLVMFuzzerMutate != nullptr && is_turn_of_engine(seed))
+    return LLVMFuzzerMutate(data, size, most);
   const std::string text = program::mutate_program(text_of(data, size), most, seed, dictionary());
   std::ranges::copy(text, data);
   return text.size();

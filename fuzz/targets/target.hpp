@@ -9,6 +9,9 @@
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+// libFuzzer's own mutations, with its dictionary and what it saw compared. Other engines have none.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
+                                                              std::size_t most);
 
 namespace gonogo::fuzz {
 
@@ -23,7 +26,8 @@ inline std::string_view planted_fault() {
   return kFault == nullptr ? std::string_view() : kFault;
 }
 
-// A quarter of all mutations is the engine's own; the others are those of the target's structured mutator.
+// A quarter of all mutations is the engine's own; the others are those of the target's structured
+// mutator.
 inline bool is_turn_of_engine(unsigned int seed) {
   return seed % 4 == 0;
 }

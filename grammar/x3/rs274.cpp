@@ -38,6 +38,10 @@ constexpr std::array<std::string_view, 14> kFunctions{"ABS", "ACOS", "ASIN", "AT
                                                       "EXP", "FIX",  "FUP",  "LN",    "ROUND",
                                                       "SIN", "SQRT", "TAN",  "EXISTS"};
 
+Iterator digits_end(Iterator first, Iterator last) {
+  return std::find_if_not(first, last, [](char byte) { return kDigit.contains(byte); });
+}
+
 // NGC-COM-05: digits, or twice digits with a point between.
 struct LineNumber : spirit::parser<LineNumber> {
   using attribute_type = Decimal;
@@ -53,12 +57,6 @@ struct LineNumber : spirit::parser<LineNumber> {
     first = read_decimal(first, end, value);
     return true;
   }
-
- private:
-  static Iterator digits_end(Iterator first, Iterator last) {
-    while (first != last && kDigit.contains(*first)) ++first;
-    return first;
-  }
 };
 
 Iterator behind_comments(Iterator first, Iterator last) {
@@ -72,16 +70,12 @@ Iterator behind_comments(Iterator first, Iterator last) {
 
 // NGC-COM-06: O and a number alone name the program; with anything else they are an O word. Takes
 // nothing.
-struct NameAhead : spirit::parser<NameAhead> {
-  using attribute_type = spirit::unused_type;
-  static constexpr bool has_attribute = false;
-
+struct NameAhead : Silent<NameAhead> {
   template <typename Context, typename RuleContext, typename Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context&, RuleContext&,
              Attribute&) const {
     if (first == last || capital_of(*first) != 'O') return false;
-    const Iterator number_end =
-        std::find_if_not(first + 1, last, [](char byte) { return kDigit.contains(byte); });
+    const Iterator number_end = digits_end(first + 1, last);
     if (number_end == first + 1) return false;
     const Iterator end = behind_comments(number_end, last);
     return end == last || *end == ';';
@@ -89,10 +83,7 @@ struct NameAhead : spirit::parser<NameAhead> {
 };
 
 // NGC-COM-07: a line that is ';' alone has no comment and is not blank.
-struct Semicolon : spirit::parser<Semicolon> {
-  using attribute_type = spirit::unused_type;
-  static constexpr bool has_attribute = false;
-
+struct Semicolon : Silent<Semicolon> {
   template <typename Context, typename RuleContext, typename Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext&,
              Attribute&) const {
@@ -223,17 +214,13 @@ Iterator label_end(Iterator first, Iterator last) {
     const Iterator close = std::find(first, last, '>');
     return close == last || close == first + 1 ? nullptr : close + 1;
   }
-  const Iterator end =
-      std::find_if_not(first, last, [](char byte) { return kDigit.contains(byte); });
+  const Iterator end = digits_end(first, last);
   return end == first ? nullptr : end;
 }
 
 // NGC-OWD-08: a line with an O word has nothing else. NGC-OWD-12: no text says what a comment among
 // the values of a call does. Takes nothing where it is none.
-struct ControlLine : spirit::parser<ControlLine> {
-  using attribute_type = spirit::unused_type;
-  static constexpr bool has_attribute = false;
-
+struct ControlLine : Silent<ControlLine> {
   template <typename Context, typename RuleContext, typename Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
              Attribute&) const {

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
+#include "grammar/rs274_words.hpp"
 #include "grammar/x3/letter_address.hpp"
 #include "grammar/x3/values.hpp"
 
@@ -22,14 +24,9 @@ inline bool goes_on_with(Iterator first, Iterator last, std::string_view word) {
                     [](char wanted, char byte) { return capital_of(byte) == wanted; });
 }
 
-struct WordOfTerm {
-  std::string_view word;
-  TermKind kind;
-};
-
 // Takes the first of the words that is there.
-template <std::size_t size>
-std::optional<TermKind> take_word(Iterator& first, Iterator last, const WordOfTerm (&words)[size]) {
+template <const auto& words>
+std::optional<TermKind> read_word(Iterator& first, Iterator last) {
   for (const WordOfTerm& entry : words) {
     if (!goes_on_with(first, last, entry.word)) continue;
     first += entry.word.size();
@@ -37,46 +34,8 @@ std::optional<TermKind> take_word(Iterator& first, Iterator last, const WordOfTe
   }
   return std::nullopt;
 }
+inline constexpr auto kAtan = std::to_array<WordOfTerm>({{"ATAN", TermKind::atan}});
 
-// NGC-EXP-01: operators from the highest group to the lowest.
-inline std::optional<TermKind> read_power(Iterator& first, Iterator last) {
-  static constexpr WordOfTerm kWords[] = {{"**", TermKind::power}};
-  return take_word(first, last, kWords);
-}
-inline std::optional<TermKind> read_product(Iterator& first, Iterator last) {
-  static constexpr WordOfTerm kWords[] = {
-      {"*", TermKind::multiply}, {"/", TermKind::divide}, {"MOD", TermKind::modulo}};
-  return take_word(first, last, kWords);
-}
-inline std::optional<TermKind> read_sum(Iterator& first, Iterator last) {
-  static constexpr WordOfTerm kWords[] = {{"+", TermKind::add}, {"-", TermKind::subtract}};
-  return take_word(first, last, kWords);
-}
-inline std::optional<TermKind> read_comparison(Iterator& first, Iterator last) {
-  static constexpr WordOfTerm kWords[] = {{"EQ", TermKind::equal},   {"NE", TermKind::not_equal},
-                                          {"GT", TermKind::greater}, {"GE", TermKind::not_less},
-                                          {"LT", TermKind::less},    {"LE", TermKind::not_greater}};
-  return take_word(first, last, kWords);
-}
-inline std::optional<TermKind> read_logic(Iterator& first, Iterator last) {
-  static constexpr WordOfTerm kWords[] = {
-      {"AND", TermKind::logic_and}, {"OR", TermKind::logic_or}, {"XOR", TermKind::logic_xor}};
-  return take_word(first, last, kWords);
-}
-
-// NGC-EXP-03: functions of one value.
-inline std::optional<TermKind> read_function(Iterator& first, Iterator last) {
-  static constexpr WordOfTerm kWords[] = {
-      {"ABS", TermKind::abs}, {"ACOS", TermKind::acos}, {"ASIN", TermKind::asin},
-      {"COS", TermKind::cos}, {"EXP", TermKind::exp},   {"FIX", TermKind::fix},
-      {"FUP", TermKind::fup}, {"LN", TermKind::ln},     {"ROUND", TermKind::round},
-      {"SIN", TermKind::sin}, {"SQRT", TermKind::sqrt}, {"TAN", TermKind::tan}};
-  return take_word(first, last, kWords);
-}
-inline std::optional<TermKind> read_atan(Iterator& first, Iterator last) {
-  static constexpr WordOfTerm kWords[] = {{"ATAN", TermKind::atan}};
-  return take_word(first, last, kWords);
-}
 // NGC-EXP-05: a sign before what is no number.
 inline std::optional<TermKind> read_sign(Iterator& first, Iterator last) {
   if (last - first < 2 || !kSign.contains(*first)) return std::nullopt;
@@ -150,13 +109,13 @@ inline constexpr auto exists_name = rule<struct ExistsNameId>{"parameter-name"} 
 inline constexpr rule<struct ValueId> value{"ngc-value"};
 
 // clang-format off
-inline constexpr auto power = expect[value] >> *step<read_power>[expect[value]];
-inline constexpr auto product = power >> *step<read_product>[power];
-inline constexpr auto sum = product >> *step<read_sum>[product];
-inline constexpr auto comparison = sum >> *step<read_comparison>[sum];
+inline constexpr auto power = expect[value] >> *step<read_word<kPowers>>[expect[value]];
+inline constexpr auto product = power >> *step<read_word<kProducts>>[power];
+inline constexpr auto sum = product >> *step<read_word<kSums>>[product];
+inline constexpr auto comparison = sum >> *step<read_word<kComparisons>>[sum];
 inline constexpr auto behind_logic =
-    product >> *joined[step<read_sum>[product]] >> *step<read_comparison>[sum];
-inline constexpr auto logic = comparison >> *step<read_logic>[behind_logic];
+    product >> *joined[step<read_word<kSums>>[product]] >> *step<read_word<kComparisons>>[sum];
+inline constexpr auto logic = comparison >> *step<read_word<kLogic>>[behind_logic];
 
 inline constexpr auto bracketed =
     sole<'['> >> expect[shallow] >> nest[logic] >> expect[close];
@@ -174,8 +133,8 @@ struct ExistsAhead : Silent<ExistsAhead> {
 
 inline constexpr auto function =
       ExistsAhead{} >> expect[exists_name] >> expect[close]
-    | step<read_atan>[expect[open] >> bracketed >> expect[quotient] >> bracketed]
-    | step<read_function>[expect[open] >> bracketed];
+    | step<read_word<kAtan>>[expect[open] >> bracketed >> expect[quotient] >> bracketed]
+    | step<read_word<kFunctionsOfOne>>[expect[open] >> bracketed];
 
 // NGC-PAR-01: '#' before other operators.
 inline constexpr auto parameter =

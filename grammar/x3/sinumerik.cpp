@@ -15,11 +15,15 @@
 //   construct = control word rest | '$' rest | name '[' rest | ...
 //
 // A name has two letters at least and goes on as far as it can: CIPX10 is one, but X10Y20 are two
-// items. Blanks may stand behind a letter and round '=', operators and brackets.
+// items. Blanks may stand behind a letter and round '=', operators and brackets; so may '&' and
+// what is not printed, which count as blanks outside of strings and comments.
 //
 // The grammar only knows that what the gauge does not read is there. From where it begins a
 // line need only be free of bytes that no program has and close its strings. Its word is not kept.
 #include "grammar/x3/sinumerik.hpp"
+
+#include <algorithm>
+#include <string>
 
 #include "grammar/x3/sinumerik_words.hpp"
 
@@ -155,10 +159,31 @@ constexpr auto line =
     blanks >> (tape_mark | head >> *(item >> blanks) >> -line_comment >> expect[word_end]);
 // clang-format on
 
+bool is_other_blank(char byte) {
+  return kOtherBlank.contains(byte);
+}
+
+// SIE-LEX-01: the same line with blanks in their place.
+std::string with_blanks(std::string_view text, Block& into) {
+  std::string blanked(text);
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size() && (in_string || text[i] != ';'); ++i) {
+    if (text[i] == '"') in_string = !in_string;
+    if (in_string || !is_other_blank(text[i])) continue;
+    blanked[i] = ' ';
+    const auto at = static_cast<std::uint32_t>(i);
+    if (into.other_blank.span.end == 0) into.other_blank.span = {at, at + 1};
+  }
+  return blanked;
+}
+
 }  // namespace
 
 std::optional<SyntaxError> parse_line(std::string_view text, Block& into) {
-  return read_line<kSinumerikProgram>(line, text, into);
+  if (std::ranges::none_of(text, is_other_blank)) {
+    return read_line<kSinumerikProgram>(line, text, into);
+  }
+  return read_line<kSinumerikProgram>(line, with_blanks(text, into), into);
 }
 
 }  // namespace gonogo::grammar::sinumerik

@@ -17,6 +17,8 @@ using namespace x3;  // the vocabulary of the dialect grammars
 inline constexpr ByteSet kNameStart = kLetter | ByteSet{"_"};
 inline constexpr ByteSet kName = kNameStart | kDigit;
 inline constexpr ByteSet kPrintable = ByteSet::range(' ', '~') | ByteSet{"\t"};
+inline constexpr ByteSet kOtherBlank =
+    (ByteSet::range('\0', '\x1F') | ByteSet{"\x7F&"}) - ByteSet{"\t"};
 inline constexpr ByteSet kProgramName = kPrintable - ByteSet{";"};
 // What an outside construct goes on with, and what stands between the brackets of a call.
 inline constexpr ByteSet kRest = kProgramName - ByteSet{"\""};

@@ -4,15 +4,14 @@
 Arcs are chords within CNC.accuracy. It knows no errors, and draws no dwell. Canned cycles are what
 it sends to the machine in their place: lines of G0, G1, G4, M3 and M5, under the modes in force.
 """
-import contextlib
 import copy
 import os
 import re
-import subprocess
 import sys
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import linuxcnc_shared  # noqa: E402
 from gonogo_pipe import Subject, serve  # noqa: E402
 from rs274_profile import LOOKED_AT, anything, one_of, refusal  # noqa: E402
 
@@ -21,21 +20,13 @@ CYCLES = (81, 82, 83, 85, 86, 89)  # as in its own compile()
 PLANES = {"G17": 0, "G18": 1, "G19": 2}
 
 
-def _version():
-    with contextlib.suppress(OSError, subprocess.CalledProcessError):
-        done = subprocess.run(["dpkg-query", "-W", "-f=${Version}", "bcnc"],
-                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True)
-        return done.stdout.decode() or "unknown"
-    return "unknown"
-
-
 def _number(value):
     return float(Fraction(str(value)))
 
 
 class Bcnc(Subject):
     name = "bcnc"
-    version = _version()
+    version = linuxcnc_shared.version("bcnc")
     dialects = {"rs274": ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "g81", "g83",
                           "g85", "g86", "cycle-modal", "cycle-steps"]}
     features = ["blocks"]  # it is given one line at a time

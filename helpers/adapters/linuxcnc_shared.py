@@ -145,10 +145,10 @@ def class_of(message):
     return None
 
 
-def version():
+def version(package="linuxcnc-uspace"):
     """The version of the installed package."""
     try:
-        done = subprocess.run(["dpkg-query", "-W", "-f=${Version}", "linuxcnc-uspace"],
+        done = subprocess.run(["dpkg-query", "-W", "-f=${Version}", package],
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True)
         return done.stdout.decode() or "unknown"
     except (OSError, subprocess.CalledProcessError):

@@ -10,8 +10,7 @@ namespace gonogo::oracle {
 std::optional<oracle::Verdict> run_and_judge(oracle::Subject& subject,
                                              const reference::Profile& profile,
                                              std::string_view program, std::size_t most_records) {
-  oracle::Tolerances tolerances =
-      make_tolerances(subject.info(), profile, std::nullopt, std::nullopt);
+  oracle::Tolerances tolerances = make_tolerances(subject.info(), profile);
   tolerances.strict = true;  // two readings of our own agree where no text says anything, too
   oracle::JudgeSession session(profile, program, tolerances);
   subject.configure(profile);

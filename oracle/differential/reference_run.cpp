@@ -39,7 +39,7 @@ oracle::Verdict judge_reference(const reference::Profile& profile, std::string_v
                                 const ReferenceRun& run) {
   oracle::SubjectInfo subject;
   subject.features = {"blocks", "m"};
-  oracle::Tolerances tolerances = make_tolerances(subject, profile, std::nullopt, std::nullopt);
+  oracle::Tolerances tolerances = make_tolerances(subject, profile);
   tolerances.strict = true;  // the reference departs from nothing of its own
   return judge_outcome(profile, program, tolerances, run.records, run.end).verdict;
 }

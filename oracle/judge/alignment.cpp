@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "oracle/judge/advice.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/motion/curve_follower.hpp"
 #include "oracle/motion/places.hpp"
@@ -115,12 +114,14 @@ void Alignment::keep_own(const Refutation& refutation) try {
 } catch (const exact::Undecided&) {  // it may be one
 }
 
-void Alignment::refute(Hypothesis from, const Motion& motion, Verdict verdict) {
-  refute(Refutation{std::move(from), motion, {}, std::move(verdict)});
+void Alignment::refute(Hypothesis from, Verdict verdict, OtherOrder other_order) {
+  refute(Refutation{std::move(from), std::nullopt, {}, std::move(verdict), std::move(other_order)});
 }
 
-void Alignment::refute(Hypothesis from, Verdict verdict) {
-  refute(Refutation{std::move(from), std::nullopt, {}, std::move(verdict)});
+void Alignment::refute_undue(Hypothesis from, Verdict verdict, OtherOrder other_order) {
+  Refutation undue{std::move(from), std::nullopt, {}, std::move(verdict), std::move(other_order)};
+  undue.is_undue = true;
+  refute(std::move(undue));
 }
 
 // Two that have come equally far are one.
@@ -172,19 +173,17 @@ bool Alignment::meet(Hypothesis& from, Motion& motion, Stage& stage) {
   if (std::holds_alternative<Motion>(what)) return meet_motion(from, motion, stage);
   if (std::holds_alternative<Renaming>(what)) return meet_renaming(from, motion, stage);
   if (auto* outside = std::get_if<NotCovered>(&what)) {
-    meet_outside(std::move(from), motion, *outside, stage);
+    if (!is_negligible(from, motion, step_of(from).place)) {
+      leave_undecided(from.step, not_covered_verdict(*outside));
+    } else {
+      stay(std::move(from), motion, stage);
+    }
   } else if (std::holds_alternative<Record>(what) || std::holds_alternative<AlarmReport>(what)) {
     return meet_last(from, motion, stage);
   } else {
     meet_free_step(std::move(from), std::move(motion), stage);
   }
   return false;
-}
-
-void Alignment::meet_outside(Hypothesis from, const Motion& motion, const NotCovered& outside,
-                             Stage& stage) {
-  if (is_negligible(from, motion, step_of(from).place)) return stay(std::move(from), motion, stage);
-  leave_undecided(from.step, not_covered_verdict(outside));
 }
 
 // R3: it keeps to where the reference stands, and to where the subject's last motion that led
@@ -235,7 +234,7 @@ bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
     if (is_negligible(from, motion, step.place)) {
       stay(std::move(from), motion, stage);
     } else {
-      refute(from, motion, before_renaming(motion, step, tolerances_));
+      refute(from, before_renaming(motion, step, tolerances_));
     }
     return false;
   }
@@ -281,18 +280,14 @@ bool Alignment::meet_last(Hypothesis& from, const Motion& motion, Stage& stage) 
     return true;
   }
   auto* report = std::get_if<AlarmReport>(&step.what);
-  const bool is_earlier = report != nullptr && tolerances_.compare_blocks && steps_.is_in_order() &&
-                          motion.record.block < report->block;
-  if (report != nullptr && !is_earlier) {
+  if (report != nullptr && !is_of_earlier_block(motion.record, report->block)) {
     from.after_alarm = motion;
     stay(from, motion, stage);
     return false;
   }
   Verdict verdict = motion_too_many(motion, step, tolerances_);
   if (go_on_behind_end(from, verdict)) return true;
-  Refutation undue{from, motion, {}, std::move(verdict), late_dwell(step.what)};
-  undue.is_undue = true;
-  refute(std::move(undue));
+  refute_undue(from, std::move(verdict), late_dwell(step.what));
   return false;
 }
 

@@ -66,7 +66,7 @@ struct OtherOrder {
 // departs from the step.
 struct Refutation {
   Hypothesis from;
-  std::optional<Motion> motion;  // what departs
+  std::optional<Motion> motion;  // what departs, where there is no verdict
   CurveAnswer answer;
   std::optional<Verdict> verdict;
   OtherOrder other_order = {};
@@ -185,13 +185,15 @@ class Alignment {
   bool leave_free_step(Hypothesis& from, const Position& here);
   bool meet_renaming(Hypothesis& from, Motion& motion, Stage& stage);
   bool leads_to_new_name(const Hypothesis& from, const Motion& motion);
-  void meet_outside(Hypothesis from, const Motion& motion, const reference::NotCovered& outside,
-                    Stage& stage);
   bool meet_last(Hypothesis& from, const Motion& motion, Stage& stage);
   // What shows that the dwell of this step only comes later; nothing for another step.
   OtherOrder late_dwell(const ReferenceStep& due) const;
   bool meet_dwell(Hypothesis& from, const Record& record, std::size_t number);
 
+  // Whether the record is of a block before this one, where lines tell.
+  bool is_of_earlier_block(const Record& record, std::uint64_t block) const {
+    return tolerances_.compare_blocks && steps_.is_in_order() && record.block < block;
+  }
   bool is_negligible(const Hypothesis& from, const Motion& motion, const Position& place) const;
   // Whether it is one more piece of the motion that the subject has left.
   bool ends_left(const Hypothesis& from, const Motion& motion) const;
@@ -202,8 +204,9 @@ class Alignment {
   bool finish(std::vector<Hypothesis> reached);
   void refute(Refutation refutation);
   void keep_own(const Refutation& refutation);
-  void refute(Hypothesis from, const Motion& motion, Verdict verdict);
-  void refute(Hypothesis from, Verdict verdict);
+  void refute(Hypothesis from, Verdict verdict, OtherOrder other_order = {});
+  // No motion is due where this one comes.
+  void refute_undue(Hypothesis from, Verdict verdict, OtherOrder other_order = {});
   void leave_undecided(std::size_t step, Verdict gap);
   bool passes_too_many(const Hypothesis& from, std::size_t passed);
   const ReferenceSteps::Step& step_of(const Hypothesis& from) { return steps_.at(from.step); }

@@ -64,7 +64,7 @@ void Alignment::meet_behind_free_step(Hypothesis from, const Motion& motion, Sta
                           stays_at(from.anchor, motion, tolerances_) &&
                           !from.open->is_judged_when_left();
       if (is_nil) return stay(std::move(from), motion, stage);
-      if (passing.why_not) refute(from, motion, *passing.why_not);
+      if (passing.why_not) refute(from, *passing.why_not);
       return;
     }
     reached.push_back(std::move(from));
@@ -75,11 +75,11 @@ void Alignment::meet_behind_free_step(Hypothesis from, const Motion& motion, Sta
 bool Alignment::take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached) {
   Motion motion = *std::exchange(from.waiting, std::nullopt);
   // A flat `arc3` is an arc by another name.
-  if (motion.record.kind == RecordKind::arc3) motion = as_arc(motion).value_or(motion);
+  motion = as_arc(motion).value_or(motion);
   FreeStepAnswer answer = from.open->take(motion);
   if (answer.is_decided()) {
     if (!from.open->is_path_known()) answer.verdict.rule = RelationRule::free_step;
-    refute(std::move(from), motion, std::move(answer.verdict));
+    refute(std::move(from), std::move(answer.verdict));
     return false;
   }
   const bool is_ended = answer.kind == FreeStepAnswer::Kind::ended;

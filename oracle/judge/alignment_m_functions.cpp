@@ -113,8 +113,7 @@ void Alignment::refute_early(Hypothesis from, const Record& record, std::size_t 
   const bool is_next = !behind.empty() && is_told(behind.front(), record);
   if (OtherOrder late = late_dwell(step.what); late.shows) {
     Verdict verdict = m_function_for_dwell(step.what, record, number);
-    return refute(
-        Refutation{std::move(from), std::nullopt, {}, std::move(verdict), std::move(late)});
+    return refute(std::move(from), std::move(verdict), std::move(late));
   }
   if (!std::holds_alternative<Motion>(step.what) || (from.piece && !is_next)) {
     return refute(std::move(from), std::move(early));
@@ -131,20 +130,17 @@ void Alignment::refute_early(Hypothesis from, const Record& record, std::size_t 
     verdict.message = "This motion is missing: an M function behind it comes.";
     goes_on.verdict = std::move(early);
   }
-  refute(Refutation{std::move(from), std::nullopt, {}, std::move(verdict), std::move(goes_on)});
+  refute(std::move(from), std::move(verdict), std::move(goes_on));
 }
 
 void Alignment::refute_missing(Hypothesis from, const DueMFunction& due, std::string got,
                                std::size_t number) {
-  Verdict verdict = m_function_missing(due.record, std::move(got), number);
-  refute(Refutation{std::move(from),
-                    std::nullopt,
-                    {},
-                    std::move(verdict),
-                    {[this, due](const Record& record) {
-                       return record.kind == RecordKind::m && is_told(due, record);
-                     },
-                     "An M function comes later than it is due."}});
+  OtherOrder comes_later = {[this, due](const Record& record) {
+                              return record.kind == RecordKind::m && is_told(due, record);
+                            },
+                            "An M function comes later than it is due."};
+  refute(std::move(from), m_function_missing(due.record, std::move(got), number),
+         std::move(comes_later));
 }
 
 const DueMFunction* Alignment::overdue_at(std::size_t number) {
@@ -167,9 +163,7 @@ const DueMFunction* Alignment::overdue(const Hypothesis& from) {
 // Whether the motion does not belong behind the due M function: it is of an earlier block, or,
 // without lines, does not lead towards the end of the next motion.
 bool Alignment::is_undue(const Motion& motion, const ReferenceSteps::Step& step) const try {
-  if (tolerances_.compare_blocks) {
-    return steps_.is_in_order() && motion.record.block < step.block;
-  }
+  if (tolerances_.compare_blocks) return is_of_earlier_block(motion.record, step.block);
   const auto* const next = std::get_if<Motion>(&step.what);
   return next != nullptr && steps_.curve_of(step)->follow({}, motion).departs() &&
          !comes_nearer(motion, next->to(), tolerances_.tolerance);
@@ -186,11 +180,9 @@ bool Alignment::waits_for_m_function(Hypothesis& from, const Motion& motion, Sta
   if (is_negligible(from, motion, step.place)) {
     stay(std::move(from), motion, stage);
   } else if (is_known && is_end(step.what)) {
-    Refutation undue{std::move(from), motion, {}, motion_too_many(motion, step, tolerances_)};
-    undue.is_undue = true;
-    refute(std::move(undue));
+    refute_undue(std::move(from), motion_too_many(motion, step, tolerances_));
   } else if (is_known && is_undue(motion, step)) {
-    refute(std::move(from), motion, motion_for_m_function(*due, motion, step, tolerances_));
+    refute(std::move(from), motion_for_m_function(*due, motion, step, tolerances_));
   } else {
     refute_missing(std::move(from), *due, record_text(motion.record), motion.number);
   }

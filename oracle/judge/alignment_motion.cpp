@@ -53,9 +53,7 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   if (is_nil && !is_done) stay(as_it_was, motion, stage);
   // A motion of an earlier block passes nothing of this one.
   const Motion& want = wanted(as_it_was, step);
-  const bool is_earlier =
-      tolerances_.compare_blocks && steps_.is_in_order() && motion.record.block < want.record.block;
-  if (!is_earlier && can_pass(as_it_was, want)) {
+  if (!is_of_earlier_block(motion.record, want.record.block) && can_pass(as_it_was, want)) {
     const bool is_own = tolerances_.compare_blocks && motion.record.block == want.record.block;
     if (is_own && !is_nil && departs && answer.departure != Departure::undecided) {
       Refutation own{std::move(from), motion, std::move(answer), std::nullopt};

@@ -49,9 +49,7 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
       return false;
     }
     const auto* report = std::get_if<AlarmReport>(&what);
-    const bool is_earlier = report != nullptr && tolerances_.compare_blocks &&
-                            steps_.is_in_order() && record.block < report->block;
-    if (report != nullptr && !is_earlier) {
+    if (report != nullptr && !is_of_earlier_block(record, report->block)) {
       from.after_alarm = motion_from(from.at, record, number);
       return true;
     }

@@ -1,41 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The program with other lines, for asking what the reference says of it then.
+// What the reference says of the program, or of it with other lines. It is run again for each.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <optional>
-#include <string>
 #include <string_view>
 
+#include "oracle/records/subject_outcome.hpp"
 #include "oracle/steps/program_input.hpp"
 #include "reference/outcome.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::oracle {
 
-class ChangedProgram : public grammar::ByteSource {
- public:
-  // What a line becomes; nothing: the program ends before it.
-  using Change = std::function<std::optional<std::string_view>(const grammar::Line& line)>;
-
-  // What it is given must outlive it.
-  ChangedProgram(const reference::Profile& profile, const ProgramText& program, Change change);
-  std::size_t read(char* data, std::size_t capacity) override;
-
- private:
-  ProgramInput input_;
-  Change change_;
-  std::string text_;
-  std::size_t at_ = 0;
-};
-
-// The alarm with which it ends; nothing: it has none among so many items.
+// The alarm with which it ends; nothing: none.
 std::optional<reference::AlarmReport> alarm_of(const reference::Profile& profile,
-                                               const ProgramText& program,
-                                               ChangedProgram::Change change,
-                                               std::size_t most_items);
+                                               const ProgramText& program);
+
+// R7: whether the program alarms so in a later block, once the block that alarms or its words at
+// fault are taken out: a control that runs on over that block comes to this alarm. An alarm of
+// block 0 may be in any.
+bool alarms_without(const reference::Profile& profile, const ProgramText& program,
+                    const reference::AlarmReport& report, const SubjectAlarm& alarm);
+
+// R6. A block that cannot be read to its end may have another fault before that place: whether the
+// words of the block that stand before its syntax fault have an alarm of that class, which no word
+// behind them could take away. False for a report without a syntax fault.
+bool has_alarm_before_fault(const reference::Profile& profile, const ProgramText& program,
+                            const reference::AlarmReport& report, std::string_view alarm_class);
 
 }  // namespace gonogo::oracle

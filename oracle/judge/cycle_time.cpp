@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/cycle_time.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
+#include "oracle/judge/unit_error.hpp"
 #include "oracle/region/constants.hpp"
 #include "reference/exact/radians.hpp"
 
@@ -46,10 +49,8 @@ bool has_no_length(const PlaneVector& radius) {
 // that at the start.
 std::optional<Number> length_of(const Motion& motion) {
   if (motion.record.kind == RecordKind::arc3) {
-    const Motion chord_or_arc = straightened(motion);
-    const auto arc = chord_or_arc.record.kind == RecordKind::arc3 ? as_arc(chord_or_arc)
-                                                                  : std::optional(chord_or_arc);
-    return arc ? length_of(*arc) : std::nullopt;
+    const std::optional<Motion> chord_or_arc = as_arc(straightened(motion));
+    return chord_or_arc ? length_of(*chord_or_arc) : std::nullopt;
   }
   if (motion.record.kind != RecordKind::arc) return chord(motion);
   const PlaneVector from = from_centre(motion.record, motion.from);
@@ -115,6 +116,37 @@ void CycleTime::take(const Record& record) {
 
 void CycleTime::leave_out(const Record& record) {
   if (reference::is_motion(record.kind)) at_ = motion_from(at_, record, 0).to();
+}
+
+namespace {
+
+constexpr std::array<std::optional<Quantity>, 4> kQuantities = {Quantity::time, Quantity::dwell,
+                                                                std::nullopt, std::nullopt};
+
+}  // namespace
+
+std::array<TimePart, 4> parts_of(const CycleTime& time) {
+  return {{{"cuts", "s", time.feed_seconds()},
+           {"dwells", "s", time.dwell_seconds()},
+           {"turns", "rev", time.revolutions()},
+           {"traverses", "mm", time.rapid_length()}}};
+}
+
+std::string amount_text(const TimePart& part) {
+  const std::string rounded = part.amount.decimal_text(3);
+  const std::string exact = part.amount.is_rational() ? part.amount.text() : "";
+  if (exact.empty() || exact.size() > 16) {
+    return fmt::format("{} {} (rounded)", rounded, part.unit);
+  }
+  const bool is_decimal = exact.find('/') == std::string::npos;
+  return is_decimal ? fmt::format("{} {}", exact, part.unit)
+                    : fmt::format("{} {} (exactly {})", rounded, part.unit, exact);
+}
+
+std::string time_hint(std::size_t part, const Number& want, const Number& got) {
+  if (!kQuantities.at(part)) return {};
+  // The numbers are rounded one by one.
+  return unit_error(*kQuantities.at(part), want, got, want / (kFewestParts * kFewestParts));
 }
 
 }  // namespace gonogo::oracle

@@ -5,7 +5,7 @@
 // whole of a step by every rule: it is enough to compare the records. The first that is anything
 // else goes the whole way.
 #include "oracle/judge/program_judge.hpp"
-#include "oracle/motion/plain_line.hpp"
+#include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
 
@@ -17,7 +17,7 @@ bool ProgramJudge::line(std::string_view line) {
     go_on();
   } catch (const exact::Undecided& undecided) {
     ++records_;
-    decide_undecided(undecided);
+    decide(undecided_verdict(undecided));
   }
   return true;
 }

@@ -14,21 +14,14 @@ namespace {
 using reference::Reading;
 using reference::ReadingKey;
 
-reference::Profile with(const reference::Profile& profile, ReadingKey key, std::string_view value) {
-  reference::Profile other = profile;
-  other.readings.set(key, value);
-  return other;
-}
-
 // An alternative may lead to blocks that another one alarms before.
 std::set<ReadingKey> touched_under_any(const reference::Profile& profile,
                                        const ProgramText& program, std::size_t most_items) {
   std::set<ReadingKey> touched;
   for (const reference::ReadingChoice& choice :
        assignments_of(profile, program, most_items).choices) {
-    reference::Profile assigned = profile;
-    assigned.readings = choice;
-    const std::vector<ReadingKey> keys = touched_by(assigned, program, most_items);
+    const std::vector<ReadingKey> keys =
+        touched_by(with_readings(profile, choice), program, most_items);
     touched.insert(keys.begin(), keys.end());
   }
   return touched;
@@ -57,7 +50,7 @@ std::string explaining_reading(const reference::Profile& profile, const ProgramT
   for (const ReadingKey key : touched_under_any(profile, program, most_items)) {
     const Reading& reading = reference::reading(key);
     for (const std::string_view value : other_values(profile, reading)) {
-      const reference::Profile other = with(profile, key, value);
+      const reference::Profile other = with_reading(profile, key, value);
       cost +=
           assignments_of(other, program, most_items).choices.size() * (records.size() + kExpansion);
       if (cost > most_records) return {};

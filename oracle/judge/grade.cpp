@@ -59,18 +59,20 @@ bool is_exact_piece(const Motion& piece, const Motion& want) try {
   }
   if (!is_round(piece.record.kind) || !is_exactly_on(want, piece.to())) return false;
   if (piece.record.kind == RecordKind::arc3) return is_exactly_on(want, via_of(piece));
-  const std::optional<Motion> arc =
-      want.record.kind == RecordKind::arc3 ? as_arc(want) : std::optional(want);
+  const std::optional<Motion> arc = as_arc(want);
   return arc && is_exactly(piece.record.centre[0], arc->record.centre[0]) &&
          is_exactly(piece.record.centre[1], arc->record.centre[1]);
 } catch (const exact::Undecided&) {
   return false;
 }
 
-bool is_correctly_rounded(const Number& got, const Number& exact, const Tolerances& tolerances) {
+bool is_correctly_rounded(const Number& got, const Number& exact,
+                          const Tolerances& tolerances) try {
   // Half a unit in the last place of a double is at most 2^-53 of its value.
   if (tolerances.binary64) return agree(got, exact, abs(got) * Number::binary(1, -kUlpBits - 1));
   return tolerances.resolution && agree(got, exact, *tolerances.resolution / 2);
+} catch (const exact::Undecided&) {
+  return false;  // an enclosure may be rounded so or not
 }
 
 Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& tolerances,
@@ -79,10 +81,7 @@ Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& toler
   // `exact_ones` takes a coordinate that is exact, `others` one that is not.
   const auto compare = [&](const Number& got, const Number& exact, RoundingCensus* exact_ones,
                            RoundingCensus* others) {
-    const Number difference = got - exact;
-    // An enclosure may be its exact value or not: not exact, for the grade.
-    const bool enclosed = difference.form() == Number::Form::enclosure;
-    if (!enclosed && difference.sign() == 0) {
+    if (is_exactly(got, exact)) {
       if (exact_ones != nullptr) exact_ones->take_exact(1);
       return;
     }
@@ -98,8 +97,7 @@ Grade grade_of(const Motion& motion, const Motion& want, const Tolerances& toler
     compare(motion.to()[axis], want.to()[axis], told, moved);
   }
   if (motion.record.kind == RecordKind::arc) {
-    const std::optional<Motion> arc =
-        want.record.kind == RecordKind::arc3 ? as_arc(want) : std::optional(want);
+    const std::optional<Motion> arc = as_arc(want);
     for (std::size_t i : {0U, 1U}) {
       compare(motion.record.centre[i], arc->record.centre[i], census, census);
     }

@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "oracle/judge/verdict_ranking.hpp"
+
 namespace gonogo::oracle {
 
 using reference::Profile;
@@ -127,13 +129,18 @@ void JudgeSession::settle_forks() {
   }
 }
 
+std::uint64_t JudgeSession::departed_block(const ProgramJudge& judge) const {
+  // O words go back.
+  return profile_.dialect == "rs274" ? 0 : judge.departed_block();
+}
+
 void JudgeSession::bury(const std::shared_ptr<Fork>& fork) {
   ProgramJudge& judge = fork->judge;
   most_others_ = std::max(most_others_, judge.watched().others());
   const bool keeps = departures_.size() < kMaximumAssignments;
-  const bool is_best = consider(
-      {keeps ? judge.decided() : judge.finish(RunEnd{}), judge.progress(), fork->told_under()},
-      keeps ? fork : nullptr);
+  const bool is_best = consider({keeps ? judge.decided() : judge.finish(RunEnd{}), judge.progress(),
+                                 departed_block(judge), fork->told_under()},
+                                keeps ? fork : nullptr);
   if (is_best) surplus_ = judge.surplus();
   try_lengths(*fork);
 }
@@ -178,54 +185,12 @@ bool JudgeSession::consider(SampledVerdict said, std::shared_ptr<Fork> unexplain
   return true;
 }
 
-void JudgeSession::look_for_surplus(const Record& record) {
-  if (surplus_ && surplus_->is_shown_by(record, tolerances_)) surplus_block_ = surplus_->block;
-  surplus_.reset();
-}
-
 void JudgeSession::explain_best() {
   if (best_unexplained_) best_->verdict = best_unexplained_->judge.finish(RunEnd{});
   best_unexplained_.reset();
   if (surplus_block_ && best_->verdict.kind == VerdictKind::fail_geometry) {
     best_->verdict.block = *surplus_block_;
   }
-}
-
-namespace {
-
-// J-READ-01.
-void name_readings(const std::string& told_under, Verdict& verdict) {
-  const bool departs =
-      decision(verdict.kind) == Decision::no_go || verdict.kind == VerdictKind::advice;
-  if (!departs || told_under.empty()) return;
-  verdict.told_under = told_under;
-  verdict.message +=
-      fmt::format("{}That is as {} has it.", verdict.message.empty() ? "" : " ", told_under);
-}
-
-// With an alarm in a later block, or without one.
-bool runs_on(const Verdict& said) {
-  return said.kind == VerdictKind::advice && (said.departure == VerdictKind::fail_alarm_missing ||
-                                              said.departure == VerdictKind::fail_alarm_late);
-}
-
-// It comes behind the alarm, or in its block and at no alarm.
-bool shows_how_to_run_on(const Verdict& departure, const Verdict& runs_on) {
-  if (departure.block == 0 || departure.block > runs_on.block) return true;
-  return departure.block == runs_on.block && rule_of(departure) != RelationRule::alarm;
-}
-
-}  // namespace
-
-const SampledVerdict* shown_way_to_run_on(const SampledVerdict& best,
-                                          std::span<const SampledVerdict> departures) {
-  if (!runs_on(best.verdict)) return nullptr;
-  const SampledVerdict* shown = nullptr;
-  for (const SampledVerdict& departure : departures) {
-    if (!shows_how_to_run_on(departure.verdict, best.verdict)) continue;
-    if (shown == nullptr || outranks(departure, *shown)) shown = &departure;
-  }
-  return shown;
 }
 
 void JudgeSession::log(const Record& record, bool undecided) {
@@ -262,7 +227,9 @@ void JudgeSession::stop_forking() {
 }
 
 bool JudgeSession::record(const Record& record) {
-  look_for_surplus(record);
+  // A motion that departs may be one too many of an earlier block, which this record shows.
+  if (surplus_ && surplus_->is_shown_by(record, tolerances_)) surplus_block_ = surplus_->block;
+  surplus_.reset();
   if (alive_.empty()) return false;
   ++records_;
   last_block_ = record.block;
@@ -295,40 +262,6 @@ bool JudgeSession::line(std::string_view line) {
   return true;
 }
 
-// R9.
-bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
-  const auto rank = [](const SampledVerdict& said) {
-    switch (decision(said.verdict.kind)) {
-      case Decision::go:
-        return 3;
-      case Decision::undecided:
-        return 2;
-      case Decision::neither:
-        return 1;
-      case Decision::no_go:
-        return 0;
-    }
-    return 0;
-  };
-  if (rank(one) != rank(other)) return rank(one) > rank(other);
-  if (rank(one) == 3) return one.verdict.kind < other.verdict.kind;
-  if (rank(one) > 1) return false;
-  if (one.progress != other.progress) return one.progress > other.progress;
-  // Where one alternative alarms and another has no fault, the former describes an alarm.
-  const auto is_far_from = [](const SampledVerdict& said) {
-    switch (said.verdict.kind) {
-      case VerdictKind::fail_alarm_missing:
-      case VerdictKind::fail_alarm_late:
-        return 2;
-      case VerdictKind::fail_alarm_spurious:
-        return 1;
-      default:
-        return 0;
-    }
-  };
-  return is_far_from(one) < is_far_from(other);
-}
-
 // The end may show that others part.
 void JudgeSession::finish_forks(const RunEnd& end) {
   ++records_;
@@ -340,6 +273,7 @@ void JudgeSession::finish_forks(const RunEnd& end) {
     Fork& fork = *alive_[i];
     SampledVerdict said{fork.judge.finish(end), 0};
     said.progress = fork.judge.progress();
+    said.block = departed_block(fork.judge);
     part(fork);
     said.told_under = fork.told_under();
     most_others_ = std::max(most_others_, fork.judge.watched().others());
@@ -419,12 +353,6 @@ SessionVerdict JudgeSession::finish(const RunEnd& end) {
   name_readings(best_->told_under, best_->verdict);
   result.verdict = std::move(best_->verdict);
   return result;
-}
-
-void RecordsInMemory::each(const std::function<bool(const Record&)>& take) const {
-  for (const Record& record : records_) {
-    if (!take(record)) return;
-  }
 }
 
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,

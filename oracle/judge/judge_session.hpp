@@ -32,7 +32,11 @@ class RecordsInMemory : public RecordSeries {
  public:
   explicit RecordsInMemory(std::span<const Record> records) : records_(records) {}
   std::size_t size() const override { return records_.size(); }
-  void each(const std::function<bool(const Record&)>& take) const override;
+  void each(const std::function<bool(const Record&)>& take) const override {
+    for (const Record& record : records_) {
+      if (!take(record)) return;
+    }
+  }
 
  private:
   std::span<const Record> records_;
@@ -74,11 +78,10 @@ class JudgeSession {
   void explain_best();
   void try_lengths(const Fork& fork);
   void try_length(const Fork& fork, reference::ReadingKey key, const Number& length);
+  std::uint64_t departed_block(const ProgramJudge& judge) const;
   // Whether the verdict is the best so far. `unexplained`: the fork whose departure is still to be
   // explained, if it counts; null: it is explained.
   bool consider(SampledVerdict said, std::shared_ptr<Fork> unexplained = nullptr);
-  // A motion that departs may be one too many of an earlier block, which this record shows.
-  void look_for_surplus(const Record& record);
   void finish_forks(const RunEnd& end);
   void finish_sampled(const SampledOutcome& sampled, const RunEnd& end);
   // Where every fork departs: tries readings together that make no difference one by one.
@@ -111,16 +114,6 @@ class JudgeSession {
   Position stands_;                             // behind it
   bool too_many_ = false;
 };
-
-// Whether the verdict under one assignment counts before that under another: the best pass; else a
-// gap, for under that assignment the subject may be right; else the departure that comes last. An
-// alarm that is missing or late counts behind another departure that comes equally far.
-bool outranks(const SampledVerdict& one, const SampledVerdict& other);
-
-// R7: the best departure runs on over an alarm that no text states. The departure that counts in
-// its place is that of the alternative under which the block runs. Null: there is none.
-const SampledVerdict* shown_way_to_run_on(const SampledVerdict& best,
-                                          std::span<const SampledVerdict> departures);
 
 // Judges a recorded outcome.
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,

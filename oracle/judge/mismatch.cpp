@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-#include "oracle/judge/advice.hpp"
 #include "oracle/judge/unit_error.hpp"
 #include "oracle/motion/labels.hpp"
 #include "oracle/motion/places.hpp"
@@ -26,6 +24,14 @@ Verdict not_covered_verdict(const reference::NotCovered& outside) {
   return verdict;
 }
 
+// J-ALM-01
+Verdict advised(Verdict departure, const Tolerances& tolerances) {
+  if (tolerances.strict || !reference::is_silent(departure.clause)) return departure;
+  departure.departure = departure.kind;
+  departure.kind = VerdictKind::advice;
+  return departure;
+}
+
 // R9.
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
                                             const Motion& want, const Tolerances& tolerances) {
@@ -39,18 +45,32 @@ std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Mot
       !same_place(motion.to(), want.to(), tolerances)) {
     return std::nullopt;
   }
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_geometry;
+  Verdict verdict =
+      verdict_on(VerdictKind::fail_geometry, motion.record, motion.number,
+                 "The corrected centre of the arc differs by more than the tolerance.");
   verdict.clause = want.record.centre_clause;
   verdict.block = want.record.block;
-  verdict.record = motion.number;
   verdict.want = record_text(want.record);
-  verdict.got = record_text(motion.record);
-  verdict.message = "The corrected centre of the arc differs by more than the tolerance.";
   set_deviation(verdict, answer.centre->distance);
   verdict = advised(std::move(verdict), tolerances);
   if (verdict.kind != VerdictKind::advice) return std::nullopt;
   return verdict;
+}
+
+std::string place_text(const Position& at) {
+  AxisSet axes{Axis::x, Axis::y, Axis::z};
+  for (Axis axis : {Axis::a, Axis::c}) {
+    if (visible_sign(at[axis]) != 0) axes.add(axis);
+  }
+  return point_text(at, axes);
+}
+
+void tell_distance(Verdict& verdict, const Number& distance, const Position& got,
+                   const Position& want, const Number& tolerance) {
+  set_deviation(verdict, distance);
+  for (Axis axis : {Axis::a, Axis::c}) {
+    if (!agree(got[axis], want[axis], tolerance)) tell_degrees(verdict, axis, got, want);
+  }
 }
 
 namespace {
@@ -68,24 +88,6 @@ bool fits_later(const Motion& motion, std::size_t number, ReferenceSteps& steps,
     if (!answer.departs() && answer.ways.front().done) return true;
   }
   return false;
-}
-
-// X, Y and Z, and the rotary axes that are not at zero.
-std::string place_text(const Position& at) {
-  AxisSet axes{Axis::x, Axis::y, Axis::z};
-  for (Axis axis : {Axis::a, Axis::c}) {
-    if (visible_sign(at[axis]) != 0) axes.add(axis);
-  }
-  return point_text(at, axes);
-}
-
-// How far a motion is off: linear axes in mm, rotary ones in degrees.
-void tell_distance(Verdict& verdict, const Number& distance, const Position& got,
-                   const Position& want, const Number& tolerance) {
-  set_deviation(verdict, distance);
-  for (Axis axis : {Axis::a, Axis::c}) {
-    if (!agree(got[axis], want[axis], tolerance)) tell_degrees(verdict, axis, got, want);
-  }
 }
 
 std::string_view short_sentence(RecordKind kind) {
@@ -135,15 +137,13 @@ std::string more_turns(const Refutation& refutation, const Tolerances& tolerance
 Verdict short_of(const Hypothesis& from, const Tolerances& tolerances) {
   const Motion& want = from.curve->motion();
   const Motion& piece = *from.piece;
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_geometry;
+  Verdict verdict =
+      verdict_on(VerdictKind::fail_geometry, piece.record, piece.number + piece.behind_first,
+                 std::string(short_sentence(want.record.kind)));
   if (want.record.kind == RecordKind::rapid) verdict.rule = RelationRule::traverse;
   verdict.clause = want.record.clause;
-  verdict.block = want.record.block != 0 ? want.record.block : piece.record.block;
-  verdict.record = piece.number + piece.behind_first;
+  if (want.record.block != 0) verdict.block = want.record.block;
   verdict.want = record_text(want.record);
-  verdict.got = record_text(piece.record);
-  verdict.message = short_sentence(want.record.kind);
   verdict.witness = place_text(piece.to());
   try {
     tell_distance(verdict, largest_difference(piece.to(), want.to()), piece.to(), want.to(), 0);
@@ -178,98 +178,21 @@ Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_
   return verdict;
 }
 
-namespace {
-
-// What is said of a motion that is not due, with the farthest place that it leads to, and how far
-// that is from where the tool has to stay.
-Verdict undue(const Motion& motion, const ReferenceSteps::Step& step, const Tolerances& tolerances,
-              std::string_view sentence) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_geometry;
-  verdict.message = sentence;
-  verdict.block = motion.record.block;
-  verdict.record = motion.number;
-  verdict.want = step_text(step.what);
-  verdict.got = record_text(motion.record);
-  verdict.witness = place_text(motion.to());
-  Motion stay;
-  stay.from = stay.record.to = step.place;
-  stay.record.kind = RecordKind::feed;
-  try {
-    const Curve place(stay, tolerances);
-    const Apart far = place.farthest(place.apart({}, motion), {}, motion);
-    verdict.witness = place_text(far.at);
-    tell_distance(verdict, far.distance, far.at, step.place, tolerances.tolerance);
-  } catch (const exact::Undecided&) {
-  }
-  return verdict;
-}
-
-}  // namespace
-
-Verdict before_renaming(const Motion& motion, const ReferenceSteps::Step& step,
-                        const Tolerances& tolerances) {
-  return undue(motion, step, tolerances,
-               "The subject moves where the position gets another name, and no motion is due.");
-}
-
-Verdict motion_too_many(const Motion& motion, const ReferenceSteps::Step& step,
-                        const Tolerances& tolerances) {
-  const bool alarms = std::holds_alternative<reference::AlarmReport>(step.what);
-  const bool dwells = dwell_of(step.what) != nullptr;
-  Verdict verdict =
-      undue(motion, step, tolerances,
-            alarms   ? "The subject moves before the block that alarms, and no motion is due."
-            : dwells ? "The subject moves where a dwell is due."
-                     : "All motions of the program have come, and the subject makes another one.");
-  verdict.clause = clause_of(step.what);
-  if (dwells) {
-    verdict.rule = RelationRule::event;
-    // A motion of a later block comes for want of the dwell.
-    verdict.block = std::min(verdict.block, block_of(step.what));
-  }
-  if (!alarms && !dwells) verdict.kind = VerdictKind::fail_overrun;
-  return verdict;
-}
-
-Verdict motion_for_m_function(const DueMFunction& due, const Motion& motion,
-                              const ReferenceSteps::Step& step, const Tolerances& tolerances) {
-  Verdict verdict = undue(motion, step, tolerances,
-                          "The subject moves where an M function is due, and no motion.");
-  verdict.clause = due.record.clause;
-  verdict.rule = RelationRule::event;
-  verdict.want = record_text(due.record);
-  return verdict;
-}
-
-Verdict m_function_for_dwell(const ReferenceStep& due, const Record& got, std::size_t number) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_geometry;
-  verdict.rule = RelationRule::event;
-  verdict.clause = clause_of(due);
-  verdict.block = block_of(due);
-  verdict.record = number;
-  verdict.want = step_text(due);
-  verdict.got = record_text(got);
-  verdict.message = "An M function comes where a dwell is due.";
-  return verdict;
-}
-
-namespace {
-
-// How far a number of the subject's may be from what it computed.
-Number rounding(const Number& number, const std::optional<Number>& resolution,
-                const Tolerances& tolerances) {
+Number rounding_of_number(const Number& number, const std::optional<Number>& resolution,
+                          const Tolerances& tolerances) {
   if (resolution) return *resolution / 2;
   return tolerances.binary64 ? abs(number) * Number::binary(1, 1 - kUlpBits) : Number(0);
 }
+
+namespace {
 
 // For a feed or a lead that differs: both values.
 std::string values_of(const Motion& want, const Record& got) {
   if (want.record.kind == RecordKind::thread) {
     return reference::with_values(" It is {} mm in place of {}.", {got.lead, want.record.lead});
   }
-  return feed_in_place_of(got, want);
+  return feed_in_place_of(got, want.record.feed, want.record.feed_mode,
+                          turns_alone(want.record, want.from));
 }
 
 // What it may come from.
@@ -277,74 +200,13 @@ std::string unit_error_of(const Motion& motion, const Record& got, const Toleran
   const Record& want = motion.record;
   if (want.kind == RecordKind::thread) {
     return unit_error(Quantity::lead, want.lead, got.lead,
-                      rounding(got.lead, tolerances.resolution, tolerances));
+                      rounding_of_number(got.lead, tolerances.resolution, tolerances));
   }
   if (want.feed_mode != got.feed_mode) return {};
   return unit_error(turns_alone(want, motion.from) ? Quantity::rotary_feed : Quantity::feed,
                     want.feed, got.feed,
-                    rounding(got.feed, tolerances.feed_resolution, tolerances));
+                    rounding_of_number(got.feed, tolerances.feed_resolution, tolerances));
 }
-
-}  // namespace
-
-bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const Tolerances& tolerances) {
-  const Record* want = dwell_of(step);
-  if (want == nullptr || dwell.kind != RecordKind::dwell) return false;
-  if (tolerances.compare_blocks && want->block != dwell.block) return false;
-  return times_agree(*want, dwell, tolerances);
-}
-
-namespace {
-
-// J-CMP-12, of one that is not due at step `number`.
-VerdictKind kind_of_dwell(const Record& dwell, std::size_t number, ReferenceSteps& steps,
-                          const Tolerances& tolerances) {
-  for (std::size_t i = number; i < number + kLookAhead; ++i) {
-    const ReferenceStep& step = steps.at(i).what;
-    if (is_end(step)) break;
-    if (is_dwell_due(step, dwell, tolerances)) return VerdictKind::fail_order;
-  }
-  const Record* want = dwell_of(steps.at(number).what);
-  const bool is_of_block =
-      want != nullptr && (!tolerances.compare_blocks || want->block == dwell.block);
-  return is_of_block ? VerdictKind::fail_feed : VerdictKind::fail_geometry;
-}
-
-}  // namespace
-
-// J-CMP-12: a dwell is due behind the motion that the subject has left unfinished.
-Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
-                    ReferenceSteps& steps, const Tolerances& tolerances) {
-  const ReferenceStep& step = steps.at(from.step).what;
-  if (std::holds_alternative<Motion>(step) && from.piece) {
-    const ReferenceStep& behind = steps.at(from.step + from.joined + 1).what;
-    if (dwell_of(behind) != nullptr) return short_of(from, tolerances);
-  }
-  const Record* want = dwell_of(step);
-  Verdict verdict;
-  verdict.kind = kind_of_dwell(dwell, from.step, steps, tolerances);
-  if (verdict.kind != VerdictKind::fail_feed) verdict.rule = RelationRule::event;
-  verdict.record = number;
-  verdict.block = dwell.block;
-  verdict.got = record_text(dwell);
-  verdict.want = step_text(step);
-  verdict.clause = clause_of(step);
-  if (verdict.kind == VerdictKind::fail_order) {
-    verdict.message = "A later dwell comes here: what is due before it is missing, or comes later.";
-  } else if (want == nullptr) {
-    verdict.message = "The subject dwells where no dwell is due.";
-  } else if (verdict.kind != VerdictKind::fail_feed) {
-    verdict.message = "The dwell belongs to another block.";
-  } else {
-    verdict.message = reference::with_values("The dwell differs. It is {} s in place of {}.",
-                                             {dwell.seconds, want->seconds});
-    verdict.message += unit_error(Quantity::dwell, want->seconds, dwell.seconds,
-                                  rounding(dwell.seconds, tolerances.resolution, tolerances));
-  }
-  return verdict;
-}
-
-namespace {
 
 // J-CMP-12: whether the motion that departs follows one that ended too early. It did where this
 // one leads on as the reference does next, or where less was missing than this one is off.
@@ -369,7 +231,6 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Tol
   const Hypothesis& from = refutation.from;
   const Motion& motion = *refutation.motion;
   const Motion& want = from.curve->motion();
-  verdict.kind = VerdictKind::fail_geometry;
   const Departure how = refutation.answer.departure;
   if (how == Departure::kind || how == Departure::block) {
     verdict.rule = RelationRule::label;
@@ -425,15 +286,13 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Toler
   const Motion& motion = *refutation.motion;
   const Motion& want = refutation.from.curve->motion();
   const CurveAnswer& answer = refutation.answer;
-  Verdict verdict;
+  const bool is_feed = answer.departure == Departure::feed;
+  Verdict verdict = verdict_on(is_feed ? VerdictKind::fail_feed : VerdictKind::fail_geometry,
+                               motion.record, motion.number, answer.reason);
   verdict.clause = want.record.clause;
   verdict.block = departing_block(refutation, steps);
-  verdict.record = motion.number;
   verdict.want = record_text(want.record);
-  verdict.got = record_text(motion.record);
-  verdict.message = answer.reason;
-  if (answer.departure == Departure::feed) {
-    verdict.kind = VerdictKind::fail_feed;
+  if (is_feed) {
     verdict.word = 'F';
     verdict.message += values_of(want, motion.record);
     verdict.message += unit_error_of(want, motion.record, tolerances);

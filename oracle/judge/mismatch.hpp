@@ -17,14 +17,19 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Toler
 
 // J-CMP-12: for the motion that the subject has left unfinished. REQUIRES: a piece of it.
 Verdict short_of(const Hypothesis& from, const Tolerances& tolerances);
+// X, Y and Z, and the rotary axes that are not at zero.
+std::string place_text(const Position& at);
+// How far a motion is off: linear axes in mm, rotary ones in degrees, in the message.
+void tell_distance(Verdict& verdict, const Number& distance, const Position& got,
+                   const Position& want, const Number& tolerance);
 // Adds to the message how far a rotary axis is off.
 void tell_degrees(Verdict& verdict, Axis rotary, const Position& got, const Position& want);
 // The trace ends, or alarms (`got`), where a step is due.
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
                    const std::string& got, const Tolerances& tolerances);
 
-// A motion where none is due: before a renaming of the position; before a dwell, in an earlier
-// block than an alarm, or behind the end; before an M function.
+// In undue.cpp. A motion where none is due: before a renaming of the position; before a dwell, in
+// an earlier block than an alarm, or behind the end; before an M function.
 Verdict before_renaming(const Motion& motion, const ReferenceSteps::Step& step,
                         const Tolerances& tolerances);
 Verdict motion_too_many(const Motion& motion, const ReferenceSteps::Step& step,
@@ -38,10 +43,18 @@ bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const Toleranc
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
                     ReferenceSteps& steps, const Tolerances& tolerances);
 
+// How far a number of the subject's may be from what it computed.
+Number rounding_of_number(const Number& number, const std::optional<Number>& resolution,
+                          const Tolerances& tolerances);
+
 // What is not judged, and why.
 GapReason reason_of(const reference::NotCovered& outside);
 Verdict not_covered_verdict(const reference::NotCovered& outside);
 
+// J-ALM-03: makes the departure an advice where no text states its clause and the certifier is not
+// strict; else leaves it. REQUIRES: it is the other answer to the clause's question. Nothing else
+// is an advice.
+Verdict advised(Verdict departure, const Tolerances& tolerances);
 // R7: an arc with a centre that a control computes itself, off by no more than twice the
 // tolerance, and its end where it should be.
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,

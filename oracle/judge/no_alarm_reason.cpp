@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/no_alarm_reason.hpp"
 
-#include <algorithm>
 #include <optional>
-#include <string>
 #include <variant>
 
-#include "oracle/judge/changed_program.hpp"
 #include "oracle/region/constants.hpp"
+#include "oracle/steps/step_text.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::oracle {
@@ -19,24 +17,6 @@ using reference::RecordKind;
 using reference::share_a_name;
 
 namespace {
-
-// The clause of an item and its block; none of those that say neither.
-struct ItemPlace {
-  ClauseId clause = kNoClause;
-  std::uint64_t block = 0;
-};
-
-ItemPlace clause_place_of(const reference::Item& item) {
-  return std::visit(
-      [](const auto& one) -> ItemPlace {
-        if constexpr (requires { one.clause; }) {
-          return {one.clause, one.block};
-        } else {
-          return {kNoClause, one.block};
-        }
-      },
-      item);
-}
 
 // M functions of a block may stand anywhere in it, and a dwell of no time is nothing.
 bool has_its_place(const reference::Item& item) {
@@ -63,17 +43,17 @@ class AlarmSearch {
     if (accepted_ && has_its_place(item)) answer_before_item();
     if (found_.answer == NoAlarmReason::Answer::other || items_ >= kMostItems) return false;
     const auto* record = std::get_if<Record>(&item);
-    const ItemPlace from = clause_place_of(item);
+    const std::uint64_t block = block_of(item);
     if (record != nullptr && record->kind == RecordKind::end) {
       // What stands behind the end is not run.
       if (first_ == kNoClause) first_ = record->clause;
       return false;
     }
-    const bool is_there = place_.block != 0 ? from.block == place_.block : items_ >= place_.at;
-    if (is_there && first_ == kNoClause) first_ = from.clause;
+    const bool is_there = place_.block != 0 ? block == place_.block : items_ >= place_.at;
+    if (is_there && first_ == kNoClause) first_ = clause_of(item);
     // A call or a loop comes back to blocks with smaller numbers.
     if (items_ < place_.undone) return true;
-    return place_.block != 0 && (from.block <= place_.block || accepted_);
+    return place_.block != 0 && (block <= place_.block || accepted_);
   }
 
   // Nothing: the block can be read, and moves nothing.
@@ -124,43 +104,6 @@ NoAlarmReason reason_for_no_alarm(const reference::Profile& profile, const Progr
     found.clause = reference::find_dialect(profile.dialect)->syntax_clause;
   }
   return found;
-}
-
-namespace {
-
-// The line with blanks for the words at fault.
-std::string without_faults(std::string_view line, const reference::AlarmReport& report) {
-  std::string text(line);
-  for (const reference::Alarm& alarm : report.alarms) {
-    const std::size_t begin = std::min<std::size_t>(alarm.where.begin, text.size());
-    const std::size_t end = std::min<std::size_t>(alarm.where.end, text.size());
-    if (begin < end)
-      std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, ' ');
-  }
-  return text;
-}
-
-}  // namespace
-
-bool alarms_without(const reference::Profile& profile, const ProgramText& program,
-                    const reference::AlarmReport& report, const SubjectAlarm& alarm) {
-  std::string left;
-  const auto alarms = [&](bool keeps_rest) {
-    const auto change = [&](const grammar::Line& line) -> std::optional<std::string_view> {
-      if (line.number != report.block) return line.text;
-      left = keeps_rest ? without_faults(line.text, report) : std::string();
-      return left;
-    };
-    const auto found = alarm_of(profile, program, change, kMostItems);
-    const bool is_later = found && found->block > report.block;
-    const bool is_block = is_later && (alarm.block == 0 || found->block == alarm.block);
-    return is_block && admits(*found, alarm.alarm_class);
-  };
-  try {
-    return alarms(false) || alarms(true);
-  } catch (const exact::Undecided&) {
-    return false;  // nothing says that it does
-  }
 }
 
 }  // namespace gonogo::oracle

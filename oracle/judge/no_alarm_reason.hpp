@@ -35,10 +35,4 @@ struct NoAlarmReason {
 NoAlarmReason reason_for_no_alarm(const reference::Profile& profile, const ProgramText& program,
                                   const AlarmPlace& place, std::string_view alarm_class);
 
-// R7: whether the program alarms so in a later block, once the block that alarms or its words at
-// fault are taken out: a control that runs on over that block comes to this alarm. An alarm of
-// block 0 may be in any.
-bool alarms_without(const reference::Profile& profile, const ProgramText& program,
-                    const reference::AlarmReport& report, const SubjectAlarm& alarm);
-
 }  // namespace gonogo::oracle

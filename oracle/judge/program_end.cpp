@@ -71,7 +71,7 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
     }
     explain_departure();
   } catch (const exact::Undecided& undecided) {
-    decide_undecided(undecided);
+    decide(undecided_verdict(undecided));
   }
   if (verdict_) return *verdict_;
   if (passed.instead) return *passed.instead;
@@ -100,6 +100,7 @@ void ProgramJudge::settle(Ending ending) {
   if (ending.verdict) {
     departed_at_ = ending.item != 0 ? ending.item : reference_.at(ending.from.step).item;
     name_line(*ending.verdict, ending.from.step);
+    departed_block_ = ending.verdict->block;
   }
   decide(std::move(ending.verdict));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What ProgramJudge's files on the subject's end share: program_end.cpp and program_alarm.cpp.
+// What ProgramJudge's files on the subject's end share: program_end.cpp, program_alarm.cpp and
+// alarm_comparison.cpp.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,20 @@ struct ProgramJudge::Ending {
         return 5;
     }
   }
+};
+
+// A subject's alarm, how the hypothesis stood when it came, and the first step that it leaves
+// undone, with how the hypothesis stood there.
+struct ProgramJudge::Alarming {
+  const SubjectAlarm& alarm;
+  bool at_load = false;
+  std::size_t at = 1;  // the item of the first step that is not done
+  bool is_begun = false;
+  struct Unfinished {
+    Hypothesis from;
+    ReferenceSteps::Step step;
+  };
+  std::optional<Unfinished> unfinished = {};
 };
 
 // The answer to an alarm of the reference.

@@ -4,23 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "oracle/judge/mismatch.hpp"
-#include "oracle/motion/places.hpp"
 #include "oracle/steps/step_text.hpp"
 
 namespace gonogo::oracle {
-namespace {
-
-// How far a place is from the centre of an arc, an estimate.
-double radius_at(const Record& arc, const Position& at) {
-  const PlaneVector spoke = from_centre(arc, at);
-  return std::hypot(estimate(spoke.p), estimate(spoke.q));
-}
-
-}  // namespace
 
 ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText& program,
                            const Tolerances& tolerances, const AssignmentSet* watched,
@@ -33,16 +22,8 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
       budget_(profile_, program),
       step_progress_(tolerances_.tolerance) {}
 
-void ProgramJudge::decide(Verdict verdict) {
-  if (!verdict_) verdict_ = std::move(verdict);
-}
-
 void ProgramJudge::decide(std::optional<Verdict> verdict) {
-  if (verdict) decide(*std::move(verdict));
-}
-
-void ProgramJudge::decide_undecided(const exact::Undecided& undecided) {
-  decide(undecided_verdict(undecided));
+  if (!verdict_) verdict_ = std::move(verdict);
 }
 
 // For people; empty: it is not known.
@@ -63,7 +44,9 @@ void ProgramJudge::name_line(Verdict& verdict, std::size_t number) const {
 void ProgramJudge::decide_departure() {
   if (alignment_.gap()) return decide(*alignment_.gap());
   Refutation& refutation = alignment_.refutation();
-  departed_at_ = reference_.at(refutation.from.step).item;
+  const ReferenceSteps::Step& due = reference_.at(refutation.from.step);
+  departed_at_ = due.item;
+  departed_block_ = due.block;
   std::optional<Verdict> known = known_verdict(refutation, tolerances_);
   is_unexplained_ = !known;
   if (known) {
@@ -103,7 +86,7 @@ bool ProgramJudge::record(const Record& record) {
       take_record(record);
     }
   } catch (const exact::Undecided& undecided) {
-    decide_undecided(undecided);
+    decide(undecided_verdict(undecided));
   }
   return !is_decided();
 }
@@ -123,31 +106,22 @@ void ProgramJudge::look_for_order(const Record& record) try {
 }
 
 void ProgramJudge::decide_too_many(const Record& record) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_overrun;
+  Verdict verdict = verdict_on(
+      VerdictKind::fail_overrun, record, records_ - 1,
+      fmt::format("The subject sent {} records: of those that make no progress more than ten times "
+                  "the records of the reference and 1,000.",
+                  records_));
   verdict.rule = RelationRule::correspondence;
-  verdict.block = record.block;
-  verdict.record = records_ - 1;
-  verdict.got = record_text(record);
   const auto& followed = alignment_.hypotheses();
   if (!followed.empty()) verdict.want = wanted_at(followed.front().step);
-  verdict.message = fmt::format(
-      "The subject sent {} records: of those that make no progress more than ten times the records "
-      "of the reference and 1,000.",
-      records_);
   decide(std::move(verdict));
 }
 
 // R1, R5.
 void ProgramJudge::take_record(const Record& record) {
   if (end_record_) {
-    Verdict verdict;
-    verdict.kind = VerdictKind::fail_overrun;
-    verdict.record = records_ - 1;
-    verdict.block = record.block;
-    verdict.got = record_text(record);
-    verdict.message = "A record follows the end of the trace.";
-    return decide(std::move(verdict));
+    return decide(verdict_on(VerdictKind::fail_overrun, record, records_ - 1,
+                             "A record follows the end of the trace."));
   }
   switch (record.kind) {
     case RecordKind::m:
@@ -167,12 +141,8 @@ void ProgramJudge::take_record(const Record& record) {
 // R3.
 bool ProgramJudge::has_line(const Record& record) {
   if (!tolerances_.compare_blocks || record.block != 0) return true;
-  Verdict verdict;
-  verdict.kind = VerdictKind::protocol;
-  verdict.record = records_ - 1;
-  verdict.got = record_text(record);
-  verdict.message = "The subject declares the feature `blocks`, but this record has no `b`.";
-  decide(std::move(verdict));
+  decide(verdict_on(VerdictKind::protocol, record, records_ - 1,
+                    "The subject declares the feature `blocks`, but this record has no `b`."));
   return false;
 }
 
@@ -229,7 +199,7 @@ bool ProgramJudge::makes_progress() {
       return step_progress_.comes_nearer(last.at, want.to(), last.joined);
     }
     if (want.record.kind == RecordKind::arc) {
-      const double radius = radius_at(want.record, last.at);
+      const double radius = estimate_length(from_centre(want.record, last.at));
       if (step_progress_.goes_round(last.progress.arc, radius)) return true;
     }
   } else if (const auto* level = std::get_if<reference::PocketLevel>(&step.what)) {

@@ -39,6 +39,10 @@ class ProgramJudge {
 
   // How far the comparison came, in items of the reference.
   std::size_t progress() const { return departed_at_.value_or(reference_.items()); }
+  // The block of what was due where it departed.
+  std::uint64_t departed_block() const {
+    return departed_at_ ? departed_block_ : (verdict_ ? verdict_->block : 0);
+  }
   // Whether nothing that is still to come changes the answer.
   bool is_decided() const { return verdict_.has_value() && !other_order_.shows; }
   // Where it has departed by a motion that may be one too many of an earlier block.
@@ -57,9 +61,8 @@ class ProgramJudge {
     std::size_t number;
   };
 
-  void decide(Verdict verdict);
+  // Unless it is decided; nothing decides nothing.
   void decide(std::optional<Verdict> verdict);
-  void decide_undecided(const exact::Undecided& undecided);
   void decide_too_many(const Record& record);
   // No hypothesis is left.
   void decide_departure();
@@ -86,7 +89,7 @@ class ProgramJudge {
   void go_on();
   void leave_step();
 
-  // The end of the subject, in program_end.cpp and program_alarm.cpp.
+  // The end of the subject, in program_end.cpp, program_alarm.cpp and alarm_comparison.cpp.
   struct Ending;
   Ending end_of(Hypothesis from, const RunEnd& end);
   void forget_behind(const Hypothesis& from, bool leaves_out_m_functions);
@@ -140,6 +143,7 @@ class ProgramJudge {
   OtherOrder other_order_;                  // of the verdict, while it is looked for
   std::size_t looked_at_ = 0;               // records since then
   std::optional<std::size_t> departed_at_;  // in items
+  std::uint64_t departed_block_ = 0;
   std::optional<Surplus> surplus_;
   std::vector<SubjectMFunction> m_functions_of_alarm_;  // which may be of the block that alarms
   std::optional<Record> end_record_;                    // the subject's `end`

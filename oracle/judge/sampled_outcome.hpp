@@ -20,6 +20,7 @@ inline constexpr std::string_view kSampledNote = "Sampled axis positions: ";
 struct SampledVerdict {
   Verdict verdict;
   std::size_t progress = 0;  // how many motions of the reference were followed
+  std::uint64_t block = 0;   // of a departure, where blocks run in the order of their lines
   // The open readings of this verdict, where `expand` shows others: "k=v, k=v".
   std::string told_under = {};
 };

@@ -20,11 +20,12 @@ struct SeenEnds {
   PlaneVector to;
 };
 
-double length_of(const PlaneVector& v) {
-  return std::hypot(estimate(v.p), estimate(v.q));
-}
-
+// An end straight above the centre is not near it, though one of its numbers is about 0.
 bool is_near_centre(const PlaneVector& v, const Number& within) {
+  const auto is_beyond = [&](const Number& number) {
+    return visible_sign(number - within) > 0 || visible_sign(number + within) < 0;
+  };
+  if (is_beyond(v.p) || is_beyond(v.q)) return false;
   return agree(v.p, 0, within) && agree(v.q, 0, within);
 }
 
@@ -52,7 +53,8 @@ struct Directions {
 bool are_surely_apart(const Motion& arc, const SeenEnds& seen, const Number& within) {
   const double part = approximate_turns(arc) - std::abs(arc.record.rot) + 1;
   return part > kTenthOfTurn && part < 1 - kTenthOfTurn &&
-         std::min(length_of(seen.from), length_of(seen.to)) > kFarOff * estimate(within);
+         std::min(estimate_length(seen.from), estimate_length(seen.to)) >
+             kFarOff * estimate(within);
 }
 
 }  // namespace
@@ -170,6 +172,9 @@ Motion chord_of(const Motion& round) {
   return chord;
 }
 
+namespace {
+
+// The point half way along an arc of at most half a turn.
 Position middle_of_arc(const Motion& arc) {
   const reference::PlaneAxes axes = reference::axes_of(arc.record.plane);
   const SeenEnds seen(arc);
@@ -185,6 +190,8 @@ Position middle_of_arc(const Motion& arc) {
   middle[axes.q] = arc.record.centre[1] + towards.q * scale;
   return middle;
 }
+
+}  // namespace
 
 std::vector<Position> farthest_of_flat(const Motion& arc, const Number& tolerance) {
   if (!is_narrow_arc(arc, tolerance)) return {middle_of_arc(arc)};

@@ -36,8 +36,6 @@ bool is_narrow_arc(const Motion& arc, const Number& tolerance);
 bool agrees_with_chord(const Motion& motion, const Number& tolerance);
 // The straight cut between its ends.
 Motion chord_of(const Motion& round);
-// The point half way along an arc of at most half a turn.
-Position middle_of_arc(const Motion& arc);
 // What is farthest from the chord of an arc that agrees with it, or corners about all of the arc.
 std::vector<Position> farthest_of_flat(const Motion& arc, const Number& tolerance);
 

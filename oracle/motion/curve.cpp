@@ -13,31 +13,6 @@ namespace {
 using reference::kAllAxes;
 using reference::PlaneAxes;
 
-// The parameters t of [0, 1] at which from + t (to - from) agrees with `point` on every axis.
-struct Span01 {
-  Number low = 0;
-  Number high = 1;
-  bool empty() const { return high < low; }
-};
-
-Span01 agreeing_parameters(const Motion& line, const Position& point, const Number& tolerance) {
-  Span01 span;
-  for (Axis axis : kAllAxes) {
-    const Number travel = line.to()[axis] - line.from[axis];
-    if (visible_sign(travel) == 0) {
-      if (!agree(point[axis], line.from[axis], tolerance)) return {1, 0};
-      continue;
-    }
-    const Number offset = point[axis] - line.from[axis];
-    Number first = (offset - tolerance) / travel;
-    Number second = (offset + tolerance) / travel;
-    if (travel.sign() < 0) std::swap(first, second);
-    span.low = max(span.low, first);
-    span.high = min(span.high, second);
-  }
-  return span;
-}
-
 // Whether two rational points agree; false also where that takes more than rationals.
 bool rationally_agree(const Position& a, const Position& b, const Number& tolerance) {
   return std::ranges::all_of(kAllAxes, [&](Axis axis) {
@@ -46,11 +21,27 @@ bool rationally_agree(const Position& a, const Position& b, const Number& tolera
   });
 }
 
-// Whether there is such a parameter. Most often it is an end of the line, without a division.
+// Whether there is a t of [0, 1] at which from + t (to - from) agrees with the point on every axis.
+// Most often it is an end of the line, without a division.
 bool agrees_with_line(const Motion& line, const Position& point, const Number& tolerance) {
-  return rationally_agree(point, line.to(), tolerance) ||
-         rationally_agree(point, line.from, tolerance) ||
-         !agreeing_parameters(line, point, tolerance).empty();
+  if (rationally_agree(point, line.to(), tolerance)) return true;
+  if (rationally_agree(point, line.from, tolerance)) return true;
+  Number low = 0;
+  Number high = 1;
+  for (Axis axis : kAllAxes) {
+    const Number travel = line.to()[axis] - line.from[axis];
+    if (visible_sign(travel) == 0) {
+      if (!agree(point[axis], line.from[axis], tolerance)) return false;
+      continue;
+    }
+    const Number offset = point[axis] - line.from[axis];
+    Number first = (offset - tolerance) / travel;
+    Number second = (offset + tolerance) / travel;
+    if (travel.sign() < 0) std::swap(first, second);
+    low = max(low, first);
+    high = min(high, second);
+  }
+  return !(high < low);
 }
 
 bool moves_one_axis(const Motion& motion, const Number& tolerance) {

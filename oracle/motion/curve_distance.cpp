@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/motion/curve_distance.hpp"
-
+//
+// How far a place is from where a motion may lead, for the evidence of a departure, mm. Along the
+// linear axis where it is farthest, as the tolerance is meant; from a circle, along its radius.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -14,6 +15,9 @@ using reference::kAllAxes;
 using reference::kLinearAxes;
 using reference::PlaneAxes;
 
+namespace {
+
+// From the box between two points.
 Number distance_from_box(const Position& from, const Position& to, const Position& point) {
   Number distance = 0;
   for (Axis axis : kLinearAxes) {
@@ -22,8 +26,6 @@ Number distance_from_box(const Position& from, const Position& to, const Positio
   }
   return distance;
 }
-
-namespace {
 
 // |at - t along|, how far a point is along one axis from the point of a line at t.
 struct AxisOffset {
@@ -37,10 +39,8 @@ Number farthest(const std::vector<AxisOffset>& offsets, const Number& t) {
   return distance;
 }
 
-}  // namespace
-
-// The largest of several |a - t b| is least at an end, where one of them is zero, or where two are
-// equal.
+// From the line between two points. The largest of several |a - t b| is least at an end, where one
+// of them is zero, or where two are equal.
 Number distance_from_line(const Position& from, const Position& to, const Position& point) {
   std::vector<AxisOffset> offsets;
   for (Axis axis : kLinearAxes) {
@@ -63,12 +63,15 @@ Number distance_from_line(const Position& from, const Position& to, const Positi
   return least;
 }
 
-namespace {
-
-// The angle from one vector to another in turns, in [0, 1), in the sense of the turning.
+// The angle from one vector to another in turns, in [0, 1), in the sense of the turning; about 0
+// where no sign of it is visible.
 Number part_between(const PlaneVector& a, const PlaneVector& b, int sense) {
+  const Number along = dot(a, b);
   const Number across = cross(a, b) * sense;
-  return exact::angle_degrees(dot(a, b), across) / 360;
+  if (across.try_sign() || visible_sign(along) <= 0) {
+    return exact::angle_degrees(along, across) / 360;
+  }
+  return exact::angle_degrees(-along, -across) / 360 - Number(1) / 2;
 }
 
 // The same with the whole turns that an estimate says.
@@ -257,8 +260,7 @@ std::vector<Position> outermost(const Motion& arc) {
 }  // namespace
 
 Apart Curve::farthest(const Apart& known, const CurveProgress& from, const Motion& subject) const {
-  const std::optional<Motion> arc =
-      subject.record.kind == RecordKind::arc3 ? as_arc(subject) : std::optional(subject);
+  const std::optional<Motion> arc = as_arc(subject);
   if (!arc || arc->record.kind != RecordKind::arc) return known;
   Apart most = known;
   const auto take = [&](Position point, Number distance) {

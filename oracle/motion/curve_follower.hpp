@@ -27,7 +27,6 @@ class CurveFollower {
   CurveFollower(const CurveFollower&) = delete;
   // Tries the next motion of the subject; on a departure nothing is changed.
   MatchResult match(const Motion& subject);
-  const Motion& motion() const { return curve_.motion(); }
   // How far along a round curve it has come, in turns; an estimate.
   double turns() const { return reached_.front().arc; }
 

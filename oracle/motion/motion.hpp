@@ -79,6 +79,7 @@ bool nearly_full_turn(const Motion& motion);
 bool goes_round(const Motion& motion, const Number& tolerance);
 // As a double, for estimates: to 2^-60, or to the width of an enclosure.
 double estimate(const Number& value);
+double estimate_length(const PlaneVector& v);
 // Two units in the last place of a double of that size: by so much an operation of a control in
 // doubles, with the conversion of its operand, may be off.
 Number two_units_of_double(double size);
@@ -89,8 +90,8 @@ double approximate_turns(const Motion& arc);
 // is its chord.
 Motion straightened(Motion motion);
 // An `arc3` in a plane parallel to a coordinate plane as `arc`; nothing where it is not, or where
-// its points lie in line.
-std::optional<Motion> as_arc(const Motion& arc3);
+// its points lie in line. Another motion as it is.
+std::optional<Motion> as_arc(const Motion& motion);
 
 // R1: joins `next` to `motion` when they are of equal kind, feed and block and continue the same
 // line in the same direction, or the same circle in the same sense; rapids only along one axis,

@@ -30,7 +30,6 @@ class OpenStart {
   bool admits(const Similarity& map, const PlaneVector& point) const;
   // The same, and keeps only those starts. False (and unchanged) when none is left.
   bool narrow(const Similarity& map, const PlaneVector& point);
-  const Number& radius() const { return radius_; }
 
  private:
   // Convex, counterclockwise, rational; the starts are its points on the circle.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/motion/plain_line.hpp"
-
 #include <cstring>
 #include <limits>
+#include <string_view>
+
+#include "oracle/motion/plain_motion.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "oracle/motion/motion.hpp"
 #include "oracle/motion/tolerances.hpp"
@@ -47,5 +48,11 @@ struct PlainMotion {
 // A place in millionths; false where a number takes more. And back.
 bool take_place(const Position& position, PlainMotion::Place& place);
 Position position_of(const PlainMotion::Place& place);
+
+// A filter before the reader of a trace, in plain_line.cpp: whether the line is this motion's
+// record in JSON, with its keys in the order of `append_json`, no blanks, and the motion's clause
+// or none. False says nothing: the line has to be read.
+// REQUIRES: the motion is of a record, whose feed is not negative.
+bool is_line_of(const PlainMotion& motion, std::string_view line);
 
 }  // namespace gonogo::oracle

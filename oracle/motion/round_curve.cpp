@@ -90,8 +90,7 @@ RoundCurve::RoundCurve(const Motion& motion, const std::optional<OpenArc>& open)
     arc_ = &motion;
   }
   if (arc_ != nullptr) {
-    const PlaneVector start = from_centre(arc_->record, arc_->from);
-    radius_ = std::hypot(estimate(start.p), estimate(start.q));
+    radius_ = estimate_length(from_centre(arc_->record, arc_->from));
     whole_ = approximate_turns(*arc_);
     return;
   }
@@ -120,8 +119,8 @@ bool RoundCurve::on_circle(const Position& point, Number tolerance) const {
 
 bool RoundCurve::is_spiral() const {
   if (arc_ == nullptr || open_) return false;
-  const PlaneVector end = from_centre(arc_->record, arc_->to());
-  return std::abs(std::hypot(estimate(end.p), estimate(end.q)) - radius_) > kEstimate;
+  const double end = estimate_length(from_centre(arc_->record, arc_->to()));
+  return std::abs(end - radius_) > kEstimate;
 }
 
 // J-PATH-09. Where the box meets the circles of both radii it meets every one between them,
@@ -139,7 +138,7 @@ int RoundCurve::on_spiral(const Position& point, double turns, const Number& tol
       near_2 <= start_2 && near_2 <= end_2 && far_2 >= start_2 && far_2 >= end_2;
   if (meets_both) return 1;
   const double within = approximate(tolerance);
-  const double change = std::hypot(estimate(b.p), estimate(b.q)) - radius_;
+  const double change = estimate_length(b) - radius_;
   const double want = radius_ + turns / whole_ * change;
   const double slope = std::abs(change) / (2 * std::numbers::pi * radius_ * whole_);
   const double slack = kEstimate + 2 * slope * within;

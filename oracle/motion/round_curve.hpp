@@ -37,6 +37,7 @@ struct ThreePoints {
   RationalPoint to;
   std::optional<SpaceCircle> circle;
   bool exact() const { return (from.error + via.error + to.error).sign() == 0; }
+  // Whether the ends are seen from the intermediate point at less than a right angle.
   bool is_over_half() const { return dot(from.at - via.at, to.at - via.at).sign() > 0; }
   // The sweep in turns, in (0, 1); an estimate. REQUIRES: a circle.
   double turns() const;

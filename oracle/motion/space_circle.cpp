@@ -62,11 +62,6 @@ Position via_of(const Motion& arc3) {
   return via;
 }
 
-bool is_over_half(const Motion& arc3) {
-  return CGAL::angle(place(space_point(arc3.from)), place(space_point(arc3.record.via)),
-                     place(space_point(arc3.to()))) == CGAL::ACUTE;
-}
-
 std::optional<SpaceCircle> circle_through(const SpacePoint& a, const SpacePoint& via,
                                           const SpacePoint& b) {
   const Point_3 start = place(a);

@@ -24,10 +24,6 @@ bool is_rational(const SpacePoint& point);
 // The intermediate point of an arc3, with the other axes where it starts.
 Position via_of(const Motion& arc3);
 
-// Whether an arc3 turns by more than half a turn: its ends are seen from the intermediate point at
-// less than a right angle.
-bool is_over_half(const Motion& arc3);
-
 struct SpaceCircle {
   SpacePoint centre;
   SpacePoint normal;  // seen against it, the three points follow each other counterclockwise

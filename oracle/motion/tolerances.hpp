@@ -37,21 +37,16 @@ struct Tolerances {
 // What the certifier grants with options of his own, beyond what the subject declares and the
 // profile says.
 struct Grants {
-  std::optional<Number> tolerance;        // mm an axis
-  std::optional<Number> chord;            // mm
-  std::optional<Number> feed_resolution;  // mm/min or mm/rev
+  std::optional<Number> tolerance = {};        // mm an axis
+  std::optional<Number> chord = {};            // mm
+  std::optional<Number> feed_resolution = {};  // mm/min or mm/rev
   bool strict = false;
 };
 
 // What a subject declares counts up to the profile's `resolution`, unless the certifier grants
 // more (J-RUN-02).
 Tolerances make_tolerances(const SubjectInfo& subject, const reference::Profile& profile,
-                           const Grants& grants);
-inline Tolerances make_tolerances(const SubjectInfo& subject, const reference::Profile& profile,
-                                  const std::optional<Number>& tolerance,
-                                  const std::optional<Number>& chord) {
-  return make_tolerances(subject, profile, Grants{tolerance, chord, std::nullopt, false});
-}
+                           const Grants& grants = {});
 
 // A declaration that counts for less than it says.
 struct Capped {

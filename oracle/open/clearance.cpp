@@ -18,14 +18,18 @@ using region::PlanePoint;
 
 namespace {
 
+Clearance touching_at(const PlanePoint& point, const Keep& keep) {
+  const Number distance = exact::sqrt(norm_squared(point));
+  return {Clearance::Kind::touches, point, abs(distance - keep.radius)};
+}
+
 // Clear where the point lies on the free side of the limit, or beyond it by no more than the slack;
 // else the evidence.
 Clearance clearance_of_point(const PlanePoint& point, const Keep& keep) {
   const Number d2 = norm_squared(point);
-  const Number bound = keep.outside ? keep.radius - keep.slack : keep.radius + keep.slack;
+  const Number bound = keep.bound();
   const bool clear = keep.outside ? bound.sign() <= 0 || d2 >= bound * bound : d2 <= bound * bound;
-  if (clear) return {};
-  return {Clearance::Kind::touches, point, abs(exact::sqrt(d2) - keep.radius)};
+  return clear ? Clearance{} : touching_at(point, keep);
 }
 
 const PlanePoint& farther(const PlanePoint& a, const PlanePoint& b) {
@@ -68,8 +72,7 @@ struct OpenStretch {
 // `counts`: the part of the arc's sweep that is looked at.
 Clearance halve(const region::Arc& arc, const Keep& keep, const PartOfSweep& counts) {
   const region::Rounding outward;
-  const Interval bound =
-      region::enclose(keep.outside ? keep.radius - keep.slack : keep.radius + keep.slack);
+  const Interval bound = region::enclose(keep.bound());
   std::vector<OpenStretch> open{{whole(arc), {}}};
   bool undecided = false;
   for (int budget = kMostStretches; !open.empty() && budget > 0; --budget) {
@@ -82,9 +85,7 @@ Clearance halve(const region::Arc& arc, const Keep& keep, const PartOfSweep& cou
     const region::IntervalVector point = arc.c + parts[0].b();
     const bool is_looked_at = counts.low <= middle && middle <= counts.high;
     if (is_looked_at && side(norm(point), bound, keep.outside) < 0) {
-      const PlanePoint witness = region::middle_of(point);
-      return {Clearance::Kind::touches, witness,
-              abs(exact::sqrt(norm_squared(witness)) - keep.radius)};
+      return touching_at(region::middle_of(point), keep);
     }
     if (stretch.is_tiny()) {
       undecided = true;
@@ -116,8 +117,7 @@ bool is_clear_as_circle(const region::LevelMotion& arc, const Keep& keep) {
   const Number radius = exact::sqrt(norm_squared(from));
   const Number spiral = abs(exact::sqrt(norm_squared(to)) - radius);
   const Number centre = exact::sqrt(norm_squared(arc.centre));
-  const Number bound =
-      keep.outside ? keep.radius - keep.slack + spiral : keep.radius + keep.slack - spiral;
+  const Number bound = keep.outside ? keep.bound() + spiral : keep.bound() - spiral;
   for (const PlanePoint& end : {arc.from, arc.to}) {
     const Number distance = exact::sqrt(norm_squared(end));
     if (keep.outside ? distance < bound : distance > bound) return false;

@@ -12,6 +12,8 @@ struct Keep {
   bool outside = true;   // of the circle; else inside
   exact::Number radius;  // the limit
   exact::Number slack;   // how far beyond the limit agrees with it
+
+  exact::Number bound() const { return outside ? radius - slack : radius + slack; }
 };
 
 struct Clearance {

@@ -13,26 +13,18 @@ namespace gonogo::oracle {
 
 using reference::kAllAxes;
 
-bool turns_rotary_axis(const Motion& motion, const Number& tolerance) {
-  return turns_rotary_axis(motion.from, motion.to(), tolerance);
-}
-
 bool turns_rotary_axis(const Position& from, const Position& to, const Number& tolerance) {
   return std::ranges::any_of(kAllAxes, [&](Axis axis) {
     return !reference::is_linear(axis) && !agree(from[axis], to[axis], tolerance);
   });
 }
 
-Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
-                       std::string want, std::string message) {
-  Verdict verdict;
-  verdict.kind = kind;
+Verdict departure_from(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
+                       const Motion& motion, std::string want, std::string message) {
+  Verdict verdict = verdict_on(kind, motion.record, motion.number, std::move(message));
   verdict.clause = clause;
-  verdict.block = motion.record.block;
-  verdict.record = motion.number;
+  verdict.block = block;
   verdict.want = std::move(want);
-  verdict.got = record_text(motion.record);
-  verdict.message = std::move(message);
   if (kind == VerdictKind::fail_feed) {
     verdict.word = 'F';
   } else {
@@ -41,10 +33,10 @@ Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motio
   return verdict;
 }
 
-Verdict ended_elsewhere(reference::ClauseId clause, const Motion& last, const Position& due,
-                        std::string want, std::string message) {
-  Verdict verdict =
-      departure_from(VerdictKind::fail_geometry, clause, last, std::move(want), std::move(message));
+Verdict ended_elsewhere(reference::ClauseId clause, std::uint64_t block, const Motion& last,
+                        const Position& due, std::string want, std::string message) {
+  Verdict verdict = departure_from(VerdictKind::fail_geometry, clause, block, last, std::move(want),
+                                   std::move(message));
   verdict.record = last.number + last.behind_first;
   try {
     set_deviation(verdict, largest_difference(last.to(), due));
@@ -60,26 +52,12 @@ std::string turns_that_came(const Number& due, double missing) {
                                 {due - Number(static_cast<std::int64_t>(whole)), due});
 }
 
-namespace {
-
 std::string feed_in_place_of(const reference::Record& got, const Number& feed,
                              reference::FeedMode mode, bool in_degrees) {
   return reference::with_values(fmt::format(" It is {{}} {} in place of {{}} {}.",
                                             reference::feed_unit(got.feed_mode, in_degrees),
                                             reference::feed_unit(mode, in_degrees)),
                                 {got.feed, feed});
-}
-
-}  // namespace
-
-std::string feed_in_place_of(const reference::Record& got, const Number& feed,
-                             reference::FeedMode mode) {
-  return feed_in_place_of(got, feed, mode, false);
-}
-
-std::string feed_in_place_of(const reference::Record& got, const Motion& want) {
-  return feed_in_place_of(got, want.record.feed, want.record.feed_mode,
-                          turns_alone(want.record, want.from));
 }
 
 Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,

@@ -84,19 +84,17 @@ bool is_free_step(const ReferenceStep& step);
 constexpr bool is_cut(RecordKind kind) {
   return kind == RecordKind::feed || kind == RecordKind::arc;
 }
-// Whether a rotary axis moves: in a motion, or from one place to another with pieces between them.
-bool turns_rotary_axis(const Motion& motion, const Number& tolerance);
+// Whether a rotary axis moves from one place to another.
 bool turns_rotary_axis(const Position& from, const Position& to, const Number& tolerance);
 
-// A NO-GO with what both sides say; the witness is where the motion ends.
-Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
-                       std::string want, std::string message);
+// A NO-GO of a step of that block, with what both sides say; the witness is where the motion ends.
+Verdict departure_from(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
+                       const Motion& motion, std::string want, std::string message);
 
-// " It is 250 mm/min in place of 200 mm/min.", behind a sentence that says what differs.
+// " It is 250 mm/min in place of 200 mm/min.", behind a sentence that says what differs. Of a
+// motion that turns a rotary axis alone in degrees/min.
 std::string feed_in_place_of(const reference::Record& got, const Number& feed,
-                             reference::FeedMode mode);
-// The same of a motion that may turn a rotary axis alone: in degrees/min.
-std::string feed_in_place_of(const reference::Record& got, const Motion& want);
+                             reference::FeedMode mode, bool in_degrees = false);
 
 // A NO-GO of what came before the last motion: it shows at a place.
 Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
@@ -108,8 +106,8 @@ void add_finding(Verdict& verdict, const region::Finding& finding,
 
 // A NO-GO of a motion that has ended elsewhere than at `due`, as what follows shows: its last
 // record is named, and the deviation where it is known.
-Verdict ended_elsewhere(reference::ClauseId clause, const Motion& last, const Position& due,
-                        std::string want, std::string message);
+Verdict ended_elsewhere(reference::ClauseId clause, std::uint64_t block, const Motion& last,
+                        const Position& due, std::string want, std::string message);
 
 // " It makes 2 of 3 turns.", behind a sentence that says what ends too early: `missing` is an
 // estimate. Empty where no whole turn is missing.

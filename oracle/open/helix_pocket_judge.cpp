@@ -20,19 +20,11 @@ const Number kHalf = Number(1) / 2;
 
 HelixPocketJudge::HelixPocketJudge(const reference::HelixPocket& item, const Position& place,
                                    const Tolerances& tolerances)
-    : item_(item), place_(place), tolerances_(tolerances), axes_(reference::axes_of(item.plane)) {
-  shape_.block = item.block;
-  shape_.clause = "GSK-G112-05"_clause;
-  shape_.plane = item.plane;
-  shape_.centre = item.centre;
-  shape_.radius = item.radius;
-  shape_.top = item.r_plane;
-  shape_.bottom = item.bottom;
-  shape_.turns = item.turns;
-  shape_.sense = item.sense;
-  shape_.feed = item.feed;
-  shape_.feed_mode = item.feed_mode;
-}
+    : item_(item),
+      place_(place),
+      tolerances_(tolerances),
+      axes_(reference::axes_of(item.plane)),
+      shape_(helix_of(item, "GSK-G112-05"_clause, item.radius, item.turns)) {}
 
 reference::ClauseId HelixPocketJudge::clause() const {
   switch (phase_) {
@@ -100,22 +92,19 @@ Verdict HelixPocketJudge::incomplete(const Position& position) const {
 FreeStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion& motion) const {
   if (result.departure == Departure::undecided)
     return FreeStepAnswer::gap(result.gap, result.reason);
-  Verdict verdict;
   if (result.departure == Departure::feed) {
-    verdict =
-        departure_from(VerdictKind::fail_feed, "GSK-G112-08"_clause, motion, helix_text(item_),
-                       "The feed of the pocket differs." +
-                           feed_in_place_of(motion.record, item_.feed, item_.feed_mode));
-  } else {
-    verdict = departure_from(VerdictKind::fail_geometry, clause(), motion, helix_text(item_),
-                             result.reason);
-    if (result.departure == Departure::kind) verdict.rule = RelationRule::label;
-    if (match_) {
-      verdict.want = record_text(want_.record);
-      set_deviation(verdict, largest_difference(motion.to(), want_.to()));
-    }
+    return FreeStepAnswer::decide(departure_from(
+        VerdictKind::fail_feed, "GSK-G112-08"_clause, item_.block, motion, helix_text(item_),
+        "The feed of the pocket differs." +
+            feed_in_place_of(motion.record, item_.feed, item_.feed_mode)));
   }
-  verdict.block = item_.block;
+  Verdict verdict = departure_from(VerdictKind::fail_geometry, clause(), item_.block, motion,
+                                   helix_text(item_), result.reason);
+  if (result.departure == Departure::kind) verdict.rule = RelationRule::label;
+  if (match_) {
+    verdict.want = record_text(want_.record);
+    set_deviation(verdict, largest_difference(motion.to(), want_.to()));
+  }
   return FreeStepAnswer::decide(std::move(verdict));
 }
 
@@ -127,20 +116,11 @@ FreeStepAnswer HelixPocketJudge::take(const Motion& motion) {
   if (turns_rotary_axis(place_, motion.to(), tolerances_.tolerance)) {
     return departs({Departure::geometry, false, "A rotary axis moves in a pocket."}, motion);
   }
-  FreeStepAnswer answer = take_by_phase(motion);
+  FreeStepAnswer answer = phase_ == Phase::entry   ? take_entry(motion)
+                          : phase_ == Phase::helix ? take_helix(motion)
+                                                   : take_at_bottom(motion);
   if (answer.kind == FreeStepAnswer::Kind::taken) last_ = motion;
   return answer;
-}
-
-FreeStepAnswer HelixPocketJudge::take_by_phase(const Motion& motion) {
-  switch (phase_) {
-    case Phase::entry:
-      return take_entry(motion);
-    case Phase::helix:
-      return take_helix(motion);
-    default:
-      return take_at_bottom(motion);
-  }
 }
 
 Motion HelixPocketJudge::semicircle(const Position& from, const Position& to) const {
@@ -246,13 +226,11 @@ FreeStepAnswer HelixPocketJudge::take_helix(const Motion& motion) {
 // J-CMP-12: what follows shows that it has, with the last motion that was taken.
 Verdict HelixPocketJudge::helix_ended() const {
   const bool at_bottom = agree(last_->to()[axes_.d], item_.bottom, tolerances_.tolerance);
-  Verdict verdict = open_.farthest().ended(
+  return open_.farthest().ended(
       clause(), *last_, helix_text(item_),
       at_bottom ? "The helix ends beside the place that its whole turns lead to."
                 : "The helix ends before the bottom of the pocket.",
       tolerances_);
-  verdict.block = item_.block;
-  return verdict;
 }
 
 // J-CMP-12: of a circle or a semicircle at the bottom that has begun, where something comes that is
@@ -261,10 +239,8 @@ std::optional<Verdict> HelixPocketJudge::ended_short(const Motion& next) const {
   const bool is_piece =
       is_cut(next.record.kind) && agree(next.to()[axes_.d], item_.bottom, tolerances_.tolerance);
   if (is_piece || !is_begun_) return std::nullopt;
-  Verdict verdict = ended_elsewhere(clause(), *last_, want_.to(), record_text(want_.record),
-                                    "The cut ends before it is where it has to end.");
-  verdict.block = item_.block;
-  return verdict;
+  return ended_elsewhere(clause(), item_.block, *last_, want_.to(), record_text(want_.record),
+                         "The cut ends before it is where it has to end.");
 }
 
 FreeStepAnswer HelixPocketJudge::end_helix(const Motion& motion) {

@@ -40,7 +40,6 @@ class HelixPocketJudge : public FreeStep {
   FreeStepAnswer end_helix(const Motion& motion);
   Verdict helix_ended() const;
   std::optional<Verdict> ended_short(const Motion& next) const;
-  FreeStepAnswer take_by_phase(const Motion& motion);
   FreeStepAnswer take_at_bottom(const Motion& motion);
   bool is_remainder(const Motion& motion) const;
   // The motions so far as a semicircle that ends where the last of them does.

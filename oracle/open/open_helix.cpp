@@ -42,7 +42,8 @@ PlaneVector HelixShape::from_axis(const Position& at) const {
 
 OpenHelix::OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at,
                      const Tolerances& tolerances)
-    : turns_(shape.turns),
+    : block_(shape.block),
+      turns_(shape.turns),
       origin_{shape.centre[0], shape.centre[1]},
       starts_(std::move(starts)),
       want_(wanted(shape, at, tolerances)),
@@ -60,7 +61,8 @@ MatchResult OpenHelix::match(const Motion& motion) {
 
 Verdict OpenHelix::ended(reference::ClauseId clause, const Motion& last, std::string want,
                          std::string message, const Tolerances& tolerances) const {
-  Verdict verdict = ended_elsewhere(clause, last, want_.to(), std::move(want), std::move(message));
+  Verdict verdict =
+      ended_elsewhere(clause, block_, last, want_.to(), std::move(want), std::move(message));
   verdict.rule = RelationRule::place;
   try {
     if (agree(last.to(), want_.to(), tolerances.tolerance)) {

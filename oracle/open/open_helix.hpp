@@ -31,6 +31,14 @@ struct HelixShape {
   PlaneVector from_axis(const Position& at) const;
 };
 
+// That of a thread or of a helical pocket, of so many turns.
+template <typename Item>
+HelixShape helix_of(const Item& item, reference::ClauseId clause, const Number& radius,
+                    const Number& turns) {
+  return {item.block,  clause, item.plane, item.centre, radius,         item.r_plane,
+          item.bottom, turns,  item.sense, item.feed,   item.feed_mode, {}};
+}
+
 // One place where the helix may have begun.
 class OpenHelix {
  public:
@@ -47,6 +55,7 @@ class OpenHelix {
                 std::string message, const Tolerances& tolerances) const;
 
  private:
+  std::uint64_t block_;  // also where lines are not compared
   Number turns_;
   PlaneVector origin_;
   OpenStart starts_;

@@ -61,13 +61,13 @@ PocketLevelStep::PocketLevelStep(const PocketLevel& level, const Position& place
       again_(ring_width(level.step, tolerances.level_tolerance())),
       way_(most_way(level)) {}
 
-FreeStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion,
-                                        std::string message) const {
-  Verdict verdict =
-      departure_from(kind, level_.clause, motion, level_text(level_), std::move(message));
-  verdict.block = level_.block;
+FreeStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion, std::string message,
+                                        const Number& off) const {
+  Verdict verdict = departure_from(kind, level_.clause, level_.block, motion, level_text(level_),
+                                   std::move(message));
   verdict.word = {};
   verdict.witness = point_text(motion.to(), {Axis::x, Axis::y, Axis::z});
+  set_deviation(verdict, off);
   return FreeStepAnswer::decide(std::move(verdict));
 }
 
@@ -108,10 +108,8 @@ FreeStepAnswer PocketLevelStep::take(const Motion& motion) {
 }
 
 FreeStepAnswer PocketLevelStep::leaves_depth(const Motion& motion) const {
-  FreeStepAnswer answer =
-      departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.");
-  set_deviation(answer.verdict, exact::abs(motion.to()[axes_.d] - level_.depth));
-  return answer;
+  return departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.",
+                 exact::abs(motion.to()[axes_.d] - level_.depth));
 }
 
 FreeStepAnswer PocketLevelStep::collect(const Motion& motion) {
@@ -119,7 +117,7 @@ FreeStepAnswer PocketLevelStep::collect(const Motion& motion) {
   if (motions_.empty()) plunge_ = motion.from;
   if (!agree(motion.to()[axes_.d], level_.depth, tolerances_.tolerance))
     return leaves_depth(motion);
-  if (turns_rotary_axis(motion, tolerances_.tolerance)) {
+  if (turns_rotary_axis(motion.from, motion.to(), tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, motion, "A rotary axis moves in a level.");
   }
   if (record.kind == RecordKind::arc && record.plane != level_.plane) {

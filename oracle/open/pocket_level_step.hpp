@@ -33,7 +33,9 @@ class PocketLevelStep : public FreeStep {
   // Whether the motion belongs to the level; what departs is decided.
   bool collects(const Motion& motion) const;
   FreeStepAnswer collect(const Motion& motion);
-  FreeStepAnswer departs(VerdictKind kind, const Motion& motion, std::string message) const;
+  // `off`: how far, where that is a length.
+  FreeStepAnswer departs(VerdictKind kind, const Motion& motion, std::string message,
+                         const Number& off = 0) const;
   FreeStepAnswer leaves_depth(const Motion& motion) const;
   region::CircularLevel circle(const Position& plunge) const;
   Verdict fault(const region::Finding& finding, const Position& here) const;

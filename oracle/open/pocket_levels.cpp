@@ -38,11 +38,9 @@ FreeStepAnswer PocketMillingJudge::finish_level(const Motion& next) {
   if (may_be_travel_) return finish_floor_or_travel(next);
   if (motions_.empty()) {
     // An infeed alone: the level is a point, or nothing of it was milled.
-    const FreeStepAnswer depth = check_level_depth(next);
-    if (depth.is_decided()) return depth;
+    if (FreeStepAnswer depth = check_level_depth(next); depth.is_decided()) return depth;
   }
-  const FreeStepAnswer answer = judge_level(next);
-  if (answer.is_decided()) return answer;
+  if (FreeStepAnswer answer = judge_level(next); answer.is_decided()) return answer;
   close_level();
   return FreeStepAnswer::take();
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/motion/curve_follower.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/steps/step_text.hpp"
 #include "reference/clause_literal.hpp"
@@ -84,8 +83,8 @@ Verdict PocketMillingJudge::incomplete(const Position& position) const {
 FreeStepAnswer PocketMillingJudge::departs(VerdictKind kind, reference::ClauseId clause,
                                            const Motion& motion, std::string message,
                                            const Number& off) const {
-  Verdict verdict = departure_from(kind, clause, motion, pocket_text(item_), std::move(message));
-  verdict.block = item_.block;
+  Verdict verdict =
+      departure_from(kind, clause, item_.block, motion, pocket_text(item_), std::move(message));
   set_deviation(verdict, off);
   return FreeStepAnswer::decide(std::move(verdict));
 }
@@ -128,8 +127,7 @@ FreeStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
   if (over_) return FreeStepAnswer::end(motion.from);
   if (tolerances_.compare_blocks && motion.record.block != item_.block) {
     if (milling_) {
-      const FreeStepAnswer answer = finish_level(motion);
-      if (answer.is_decided()) return answer;
+      if (FreeStepAnswer answer = finish_level(motion); answer.is_decided()) return answer;
     }
     // A lift that is too small to see may be missing.
     over_ = floor_done_ && item_.floor >= item_.retract - tolerances_.tolerance &&
@@ -139,7 +137,7 @@ FreeStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
     return FreeStepAnswer::decide(incomplete(motion.from));
   }
   const RecordKind kind = motion.record.kind;
-  if (turns_rotary_axis(motion, tolerances_.tolerance)) {
+  if (turns_rotary_axis(motion.from, motion.to(), tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, item_.clause, motion,
                    "A rotary axis moves in a pocket.");
   }
@@ -160,9 +158,12 @@ FreeStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
                    "The way is more than ten times as long as the levels need.");
   }
   take_slack_of(motion);
-  if (floor_cuts_ && is_cut(kind)) note_floor_cut(motion);
   const Number& from = motion.from[axes_.d];
   const Number& to = motion.to()[axes_.d];
+  // At any feed.
+  if (floor_cuts_ && is_cut(kind) && !goes_along_depth(motion) && is_floor(to)) {
+    floor_cuts_->add(own(motion));
+  }
   // SIE-LC75-05: levels may begin above what is to be cut.
   if (to < lowest_ - tolerances_.tolerance && is_near_cleared(to)) {
     lowest_ = to;
@@ -172,16 +173,9 @@ FreeStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
   has_risen_ = to > from;
   if (stays_at_level(motion)) return FreeStepAnswer::take();
   if (milling_ && !(motions_.empty() && to < from)) {
-    const FreeStepAnswer answer = finish_level(motion);
-    if (answer.is_decided()) return answer;
+    if (FreeStepAnswer answer = finish_level(motion); answer.is_decided()) return answer;
   }
   return to < from ? take_down(motion) : take_travel(motion);
-}
-
-// At any feed.
-void PocketMillingJudge::note_floor_cut(const Motion& motion) {
-  const bool is_flat = !goes_along_depth(motion);
-  if (is_flat && is_floor(motion.to()[axes_.d])) floor_cuts_->add(own(motion));
 }
 
 bool PocketMillingJudge::goes_along_depth(const Motion& motion) const {
@@ -240,8 +234,7 @@ FreeStepAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
   // The infeed to it cut.
   if (mills && milling_ && !may_be_travel_) return take_cut(motion);
   if (may_be_travel_ && !mills) {
-    const FreeStepAnswer answer = finish_level(motion);
-    if (answer.is_decided()) return answer;
+    if (FreeStepAnswer answer = finish_level(motion); answer.is_decided()) return answer;
   }
   const FreeStepAnswer travel = take_travel(motion);
   if (!mills || travel.is_decided()) return travel;
@@ -259,13 +252,11 @@ void PocketMillingJudge::start_floor_or_travel(const Number& depth, const Positi
 FreeStepAnswer PocketMillingJudge::take_cut(const Motion& motion) {
   if (!milling_) {
     depth_ = motion.from[axes_.d];
-    const FreeStepAnswer answer = check_level_depth(motion);
-    if (answer.is_decided()) return answer;
+    if (FreeStepAnswer answer = check_level_depth(motion); answer.is_decided()) return answer;
     milling_ = true;
     plunge_ = own(motion.from);
   } else if (motions_.empty()) {
-    const FreeStepAnswer answer = check_level_depth(motion);
-    if (answer.is_decided()) return answer;
+    if (FreeStepAnswer answer = check_level_depth(motion); answer.is_decided()) return answer;
   }
   if (!agree(motion.to()[axes_.d], depth_, tolerances_.tolerance)) {
     return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
@@ -290,6 +281,11 @@ FreeStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
   const Number lowest = min(cleared_.everywhere, cleared_.rough);
   const bool cuts = is_last || (to < lowest - tolerances_.tolerance && !is_near_cleared(to));
   arrival_ = motion;
+  // SIE-LC75-13: the way down of finishing ends in the air, be the floor as near as the tolerance.
+  const bool in_air = to >= item_.reference_plane - tolerances_.tolerance;
+  if (item_.finishing && in_air && motion.record.kind == RecordKind::rapid) {
+    return take_travel(motion);
+  }
   if (!cuts) {
     const FreeStepAnswer travel = take_travel(motion);
     const bool decided = travel.is_decided();
@@ -298,8 +294,7 @@ FreeStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
     return travel;
   }
   may_be_travel_ = false;
-  const FreeStepAnswer answer = check_plunge(motion);
-  if (answer.is_decided()) return answer;
+  if (FreeStepAnswer answer = check_plunge(motion); answer.is_decided()) return answer;
   milling_ = true;
   depth_ = to;
   plunge_ = own(motion.to());
@@ -340,97 +335,6 @@ FreeStepAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
   taken_above_floor_ = true;
   floor_fault_ = answer.verdict;
   return FreeStepAnswer::take();
-}
-
-// Whether the motion may go where it goes: what is cleared, by this path or by roughing.
-FreeStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
-  const Number& tau = tolerances_.tolerance;
-  // R8: no clause leads above R101.
-  if (motion.to()[axes_.d] > item_.retract + tau && motion.to()[axes_.d] > motion.from[axes_.d]) {
-    return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
-                   "The tool leaves the cycle's planes: it moves above R101.",
-                   motion.to()[axes_.d] - item_.retract);
-  }
-  const Number lowest = min(motion.from[axes_.d], motion.to()[axes_.d]);
-  // What is finished was cleared down to the reference plane: above it is air.
-  const Number free =
-      item_.finishing ? min(cleared_.everywhere, item_.reference_plane) : cleared_.everywhere;
-  const bool above = lowest >= free - tau;
-  if (!above && lowest < cleared_.rough - tau) {
-    // Up where the tool stands, out of what it has just cut.
-    const bool straight_up = motion.from[axes_.d] < motion.to()[axes_.d] &&
-                             agree(motion.from[axes_.p], motion.to()[axes_.p], tau) &&
-                             agree(motion.from[axes_.q], motion.to()[axes_.q], tau);
-    if (straight_up) return FreeStepAnswer::take();
-    return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
-                   "The tool travels where nothing is cleared.");
-  }
-  if (traverses_on_floor(motion)) {
-    return departs(VerdictKind::fail_region, "SIE-LC75-11"_clause, motion,
-                   "The tool traverses on the floor of the pocket.");
-  }
-  const std::optional<bool> inside = stays_in(motion, above ? reach_ : rough_reach_);
-  if (!inside)
-    return FreeStepAnswer::gap(GapReason::comparison,
-                               "A motion is too close to the wall to decide.");
-  if (*inside) return FreeStepAnswer::take();
-  return departs(
-      VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
-      above ? "The tool leaves the pocket." : "The tool travels outside of what is cleared.");
-}
-
-// J-PKT-09: whether a traverse ends at the depth of a floor, be it the one that roughing left. Off
-// a floor it may begin; on the floor that it has roughed itself the tool may travel.
-bool PocketMillingJudge::traverses_on_floor(const Motion& motion) const {
-  if (motion.record.kind != RecordKind::rapid) return false;
-  const Number& from = motion.from[axes_.d];
-  const Number& to = motion.to()[axes_.d];
-  const bool leaves = to > from + tolerances_.tolerance;
-  const bool in_air = to >= item_.reference_plane - tolerances_.tolerance;
-  if (leaves || in_air) return false;
-  if (item_.finishing) return to <= item_.rough_floor + tolerances_.tolerance;
-  return to < from - tolerances_.tolerance && is_floor(to);
-}
-
-// Whether a motion leads past R101 above the centre, behind the cycle. Without line numbers the
-// way back is joined with what comes after it.
-bool PocketMillingJudge::passes_retract_plane(const Motion& motion) const {
-  return floor_done_ && !tolerances_.compare_blocks && above_centre(motion.from) &&
-         above_centre(motion.to()) && motion.from[axes_.d] < item_.retract &&
-         item_.retract < motion.to()[axes_.d];
-}
-
-FreeStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
-  if (is_cut(motion.record.kind)) ++idle_cuts_;
-  if (passes_retract_plane(motion)) {
-    if (FreeStepAnswer floor = check_contour_only(motion); floor.is_decided()) return floor;
-    over_ = true;
-    Position here = motion.to();
-    here[axes_.d] = item_.retract;
-    return FreeStepAnswer::end(here);
-  }
-  if (const auto answer = check_first(motion); answer.is_decided()) {
-    return answer;
-  }
-  const FreeStepAnswer answer = check_travel(motion);
-  if (answer.is_decided()) return answer;
-  const bool may_end = floor_done_ && (motion.record.kind == RecordKind::rapid || has_risen_);
-  if (!may_end || !above_centre(motion.to())) return FreeStepAnswer::take();
-  // SIE-LC75-13: the end is above the centre at R101, whatever the speed of the way there.
-  over_ = agree(motion.to()[axes_.d], item_.retract, tolerances_.tolerance);
-  return over_ ? check_contour_only(motion) : FreeStepAnswer::take();
-}
-
-// R8: in roughing the first infeed follows the approach, at the centre. In finishing
-// (SIE-LC75-11) the tool may travel in what roughing left.
-FreeStepAnswer PocketMillingJudge::check_first(const Motion& motion) const {
-  const bool below = min(motion.from[axes_.d], motion.to()[axes_.d]) < item_.clearance;
-  if (item_.finishing || !first_ || milling_ || below) return FreeStepAnswer::take();
-  const bool sinks = motion.to()[axes_.d] <= motion.from[axes_.d] + tolerances_.tolerance;
-  const bool stays = above_centre(motion.to()) && !goes_round(motion, tolerances_.tolerance);
-  if (sinks && stays) return FreeStepAnswer::take();
-  return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
-                 "The tool moves away before the first infeed, where no clause leads it.");
 }
 
 }  // namespace gonogo::oracle

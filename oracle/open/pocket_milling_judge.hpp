@@ -68,7 +68,6 @@ class PocketMillingJudge : public FreeStep {
   FreeStepAnswer judge_level(const Motion& next);
   // SIE-LC75-07: whether the floor is milled where only the contour is to be.
   FreeStepAnswer check_contour_only(const Motion& next) const;
-  void note_floor_cut(const Motion& motion);
   FreeStepAnswer level_fault(const region::Finding& finding, const Position& at) const;
   // `off`: how far, where that is a length.
   FreeStepAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,

@@ -2,7 +2,6 @@
 #include "oracle/open/thread_entry.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "oracle/motion/chords.hpp"
 #include "oracle/region/constants.hpp"
@@ -75,8 +74,8 @@ std::optional<std::string> ThreadEntry::add_arc(const Motion& motion) {
     end_arm_ = end;
   }
   swept_.add(approximate_turns(motion));
-  const double radius = std::hypot(estimate(end.p), estimate(end.q));
-  if (swept_.exceed_a_turn(estimate(geometry_.tolerances().tolerance * 2), radius)) {
+  const double beyond = estimate(geometry_.tolerances().tolerance * 2);
+  if (swept_.exceed_a_turn(beyond, estimate_length(end))) {
     return "The entry turns round more than once.";
   }
   if (!is_inside(motion)) {
@@ -105,22 +104,23 @@ bool ThreadEntry::is_inside(const Motion& motion) const {
 // J-THR-02. `start`: of the infeed, behind the chords.
 bool ThreadEntry::leaves_region(const PlaneVector& start,
                                 std::span<const PlaneVector> chords) const {
-  if (!is_inside(staying(start))) return true;
+  if (!is_inside(line(start, start))) return true;
   const auto leaves = [&](const Motion& motion) {
     return !geometry_.item().external ||
            geometry_.within_chord(motion, from_, start).kind != Clearance::Kind::clear;
   };
   return std::ranges::any_of(far_, leaves) ||
          std::ranges::any_of(chords, [&](const PlaneVector& end) {
-           const Motion there = staying(end);
+           const Motion there = line(end, end);
            return !is_inside(there) && leaves(there);
          });
 }
 
-Motion ThreadEntry::staying(const PlaneVector& v) const {
+Motion ThreadEntry::line(const PlaneVector& from, const PlaneVector& to) const {
   Motion motion;
   motion.record.kind = RecordKind::feed;
-  motion.from = motion.record.to = at(v);
+  motion.from = at(from);
+  motion.record.to = at(to);
   return motion;
 }
 
@@ -147,13 +147,6 @@ std::optional<std::string> ThreadEntry::fault_before_helix(const Position& here)
 
 bool ThreadEntry::on_start_circle(const PlaneVector& at_start) const {
   return geometry_.on_circle(at(at_start), geometry_.item().start_radius);
-}
-
-Position ThreadEntry::at(const PlaneVector& v) const {
-  Position position = stands_;
-  position[geometry_.axes().p] = geometry_.item().centre[0] + v.p;
-  position[geometry_.axes().q] = geometry_.item().centre[1] + v.q;
-  return position;
 }
 
 // With the infeed from this one of the points.
@@ -196,11 +189,7 @@ std::string ThreadEntry::bent_infeed(const PlaneVector& here) const {
 }
 
 bool ThreadEntry::is_deep(const PlaneVector& from, const PlaneVector& to) const {
-  Motion line;
-  line.record.kind = RecordKind::feed;
-  line.from = at(from);
-  line.record.to = at(to);
-  return geometry_.clearance(line, radius_).kind != Clearance::Kind::clear;
+  return geometry_.clearance(line(from, to), radius_).kind != Clearance::Kind::clear;
 }
 
 }  // namespace gonogo::oracle

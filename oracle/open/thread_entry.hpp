@@ -40,8 +40,8 @@ class ThreadEntry {
   std::string bent_infeed(const PlaneVector& here) const;
   bool is_deep(const PlaneVector& from, const PlaneVector& to) const;  // a straight cut
   bool on_start_circle(const PlaneVector& at) const;
-  Position at(const PlaneVector& v) const;
-  Motion staying(const PlaneVector& v) const;  // there
+  Position at(const PlaneVector& v) const { return geometry_.place(v, stands_); }
+  Motion line(const PlaneVector& from, const PlaneVector& to) const;
   bool chords_granted() const { return geometry_.tolerances().chord.sign() > 0; }
 
   const ThreadGeometry& geometry_;

@@ -14,10 +14,18 @@ namespace gonogo::oracle {
 using reference::operator""_clause;
 
 FreeStepAnswer ThreadJudge::fault(VerdictKind kind, reference::ClauseId clause,
-                                  const Motion& motion, std::string message) const {
-  Verdict verdict = departure_from(kind, clause, motion, want_text(), std::move(message));
-  verdict.block = item_.block;
+                                  const Motion& motion, std::string message,
+                                  const Number& off) const {
+  Verdict verdict =
+      departure_from(kind, clause, item_.block, motion, want_text(), std::move(message));
+  set_deviation(verdict, off);
   return FreeStepAnswer::decide(std::move(verdict));
+}
+
+FreeStepAnswer ThreadJudge::wrong_feed(const Motion& motion) const {
+  return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
+               "The feed of the thread differs." +
+                   feed_in_place_of(motion.record, item_.feed, item_.feed_mode));
 }
 
 std::string ThreadJudge::want_text() const {
@@ -51,13 +59,11 @@ Verdict ThreadJudge::incomplete(const Position& position) const {
 // J-CMP-12: what follows shows that it has, with the last motion that was taken.
 Verdict ThreadJudge::helix_ended() const {
   const bool at_bottom = agree(last_->to()[axes_.d], item_.bottom, tolerances_.tolerance);
-  Verdict verdict =
-      open_->farthest().ended("GSK-G114-06"_clause, *last_, want_text(),
-                              at_bottom ? "The helix ends beside the place that its turns lead to."
-                                        : "The helix ends before the bottom of the thread.",
-                              tolerances_);
-  verdict.block = item_.block;
-  return verdict;
+  return open_->farthest().ended("GSK-G114-06"_clause, *last_, want_text(),
+                                 at_bottom
+                                     ? "The helix ends beside the place that its turns lead to."
+                                     : "The helix ends before the bottom of the thread.",
+                                 tolerances_);
 }
 
 FreeStepAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId clause,
@@ -66,22 +72,18 @@ FreeStepAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId
     return FreeStepAnswer::gap(GapReason::comparison,
                                "Whether an arc below the R plane clears the part is not decided.");
   }
-  FreeStepAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
-  Position witness = motion.from;
-  witness[axes_.p] = item_.centre[0] + clear.witness.p;
-  witness[axes_.q] = item_.centre[1] + clear.witness.q;
+  FreeStepAnswer answer =
+      fault(VerdictKind::fail_geometry, clause, motion, std::move(message), clear.deviation);
+  Position witness = geometry_.place(clear.witness, motion.from);
   // On a sloping line the depth goes with the way in the plane.
   const PlaneVector from = near_rational(geometry_.from_axis(motion.from));
-  const PlaneVector to = near_rational(geometry_.from_axis(motion.to()));
-  const Number length_2 = (to.p - from.p) * (to.p - from.p) + (to.q - from.q) * (to.q - from.q);
+  const PlaneVector along = near_rational(geometry_.from_axis(motion.to())) - from;
+  const Number length_2 = norm_squared(along);
   if (motion.record.kind == RecordKind::feed && length_2.sign() != 0) {
-    const Number part = ((clear.witness.p - from.p) * (to.p - from.p) +
-                         (clear.witness.q - from.q) * (to.q - from.q)) /
-                        length_2;
+    const Number part = dot(clear.witness - from, along) / length_2;
     witness[axes_.d] += part * (motion.to()[axes_.d] - motion.from[axes_.d]);
   }
   answer.verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
-  set_deviation(answer.verdict, clear.deviation);
   return answer;
 }
 
@@ -92,11 +94,7 @@ FreeStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   const reference::ClauseId clause = "GSK-G114-06"_clause;
   if (result.departure == Departure::undecided)
     return FreeStepAnswer::gap(result.gap, result.reason);
-  if (result.departure == Departure::feed) {
-    return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
-                 "The feed of the thread differs." +
-                     feed_in_place_of(motion.record, item_.feed, item_.feed_mode));
-  }
+  if (result.departure == Departure::feed) return wrong_feed(motion);
   const Record& record = motion.record;
   const bool on_the_way = phase_ == Phase::helix;
   if (!on_the_way && entry_fault_) return fault(kGeometry, clause, motion, *entry_fault_);
@@ -116,19 +114,15 @@ FreeStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   }
   for (std::size_t i : {0U, 1U}) {
     if (agree(record.centre[i], item_.centre[i], tolerances_.tolerance)) continue;
-    FreeStepAnswer answer =
-        fault(kGeometry, clause, motion, "The helix turns about another centre.");
-    set_deviation(answer.verdict, abs(record.centre[i] - item_.centre[i]));
-    return answer;
+    return fault(kGeometry, clause, motion, "The helix turns about another centre.",
+                 abs(record.centre[i] - item_.centre[i]));
   }
   if ((record.rot < 0) != (item_.sense < 0)) {
     return fault(kGeometry, "GSK-G114-09"_clause, motion, "The helix turns the wrong way.");
   }
   if (!on_the_way && !agree(motion.from[axes_.d], item_.r_plane, tolerances_.tolerance)) {
-    FreeStepAnswer answer =
-        fault(kGeometry, clause, motion, "The helix does not begin at the R plane.");
-    set_deviation(answer.verdict, abs(motion.from[axes_.d] - item_.r_plane));
-    return answer;
+    return fault(kGeometry, clause, motion, "The helix does not begin at the R plane.",
+                 abs(motion.from[axes_.d] - item_.r_plane));
   }
   if (!geometry_.on_circle(motion.to(), radius())) return wrong_radius(motion);
   return wrong_way_down(motion);
@@ -151,9 +145,9 @@ FreeStepAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
   } else {
     clause = "GSK-G114-06"_clause;
   }
-  FreeStepAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
+  FreeStepAnswer answer =
+      fault(VerdictKind::fail_geometry, clause, motion, std::move(message), abs(beyond));
   answer.verdict.witness = point_text(at, {Axis::x, Axis::y, Axis::z});
-  set_deviation(answer.verdict, abs(beyond));
   return answer;
 }
 
@@ -175,10 +169,8 @@ FreeStepAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
   } else if (!at_bottom) {
     message = "The helix ends at another depth.";
   }
-  FreeStepAnswer answer =
-      fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion, std::move(message));
-  set_deviation(answer.verdict, abs(motion.to()[axes_.d] - item_.bottom));
-  return answer;
+  return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion, std::move(message),
+               abs(motion.to()[axes_.d] - item_.bottom));
 }
 
 // J-THR-06

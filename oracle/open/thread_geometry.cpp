@@ -35,6 +35,12 @@ PlaneVector ThreadGeometry::from_axis(const Position& at) const {
   return {at[axes_.p] - item_.centre[0], at[axes_.q] - item_.centre[1]};
 }
 
+Position ThreadGeometry::place(const PlaneVector& from_axis, Position as_high) const {
+  as_high[axes_.p] = item_.centre[0] + from_axis.p;
+  as_high[axes_.q] = item_.centre[1] + from_axis.q;
+  return as_high;
+}
+
 bool ThreadGeometry::on_circle(const Position& at, const Number& radius) const {
   return OpenStart(radius, tolerances_.tolerance).admits({}, from_axis(at));
 }
@@ -95,11 +101,9 @@ Clearance ThreadGeometry::within_chord(const Motion& motion, const PlaneVector& 
 
 Clearance ThreadGeometry::clearance_in(const Limit& limit, const Motion& motion,
                                        const Number& part) const {
-  const auto place = [&](const PlaneVector& from_axis) {
-    return near_rational(from_axis) - limit.middle;
-  };
-  const PlaneVector from = place(from_axis(motion.from));
-  const PlaneVector to = place(from_axis(motion.to()));
+  const auto seen = [&](const PlaneVector& v) { return near_rational(v) - limit.middle; };
+  const PlaneVector from = seen(from_axis(motion.from));
+  const PlaneVector to = seen(from_axis(motion.to()));
   const Record& record = motion.record;
   if (record.kind == RecordKind::rapid) return clearance_of_box(from, to, limit.keep);
   if (record.kind == RecordKind::feed) {
@@ -111,7 +115,7 @@ Clearance ThreadGeometry::clearance_in(const Limit& limit, const Motion& motion,
   arc.is_arc = true;
   arc.from = from;
   arc.to = to;
-  arc.centre = place({record.centre[0] - item_.centre[0], record.centre[1] - item_.centre[1]});
+  arc.centre = seen({record.centre[0] - item_.centre[0], record.centre[1] - item_.centre[1]});
   arc.rot = record.rot;
   return clearance_of_arc(arc, limit.keep, part);
 }

@@ -29,6 +29,8 @@ class ThreadGeometry {
   bool is_below(const Position& at) const { return height(at) < -tolerances_.tolerance; }
   bool is_above(const Position& at) const { return height(at) > tolerances_.tolerance; }
   PlaneVector from_axis(const Position& at) const;
+  // The place there, which is as high as another.
+  Position place(const PlaneVector& from_axis, Position as_high) const;
   // Whether the point agrees with a point of the circle about the axis.
   bool on_circle(const Position& at, const Number& radius) const;
   // Whether it lies no deeper in the material than a circle, as far as the tolerance tells.

@@ -94,9 +94,7 @@ FreeStepAnswer ThreadJudge::take(const Motion& motion) {
   if (answer.kind != FreeStepAnswer::Kind::taken) return answer;
   if (is_cut(motion.record.kind) &&
       !feeds_agree(item_.feed, item_.feed_mode, motion.record, tolerances_)) {
-    return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
-                 "The feed of the thread differs." +
-                     feed_in_place_of(motion.record, item_.feed, item_.feed_mode));
+    return wrong_feed(motion);
   }
   position_ = motion.to();
   if (!waits_) last_ = motion;
@@ -157,27 +155,11 @@ FreeStepAnswer ThreadJudge::take_entry(const Motion& motion) {
   return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion, entry_.departure());
 }
 
-HelixShape ThreadJudge::shape() const {
-  HelixShape helix;
-  helix.block = item_.block;
-  helix.clause = item_.clause;
-  helix.plane = item_.plane;
-  helix.centre = item_.centre;
-  helix.radius = radius();
-  helix.top = item_.r_plane;
-  helix.bottom = item_.bottom;
-  helix.turns = turns_;
-  helix.sense = item_.sense;
-  helix.feed = item_.feed;
-  helix.feed_mode = item_.feed_mode;
-  helix.to_end = to_end_;
-  return helix;
-}
-
 // J-THR-04
 MatchResult ThreadJudge::match_helix(const Motion& motion) {
   if (phase_ == Phase::entry) {
-    const HelixShape helix = shape();
+    HelixShape helix = helix_of(item_, item_.clause, radius(), turns_);
+    helix.to_end = to_end_;
     if (std::optional<OpenStart> starts = starts_of_helix(helix, motion, tolerances_)) {
       const bool named = !is_named() || starts->narrow({}, {helix.radius * side_, 0});
       std::optional<std::string> why;

@@ -60,7 +60,6 @@ class ThreadJudge : public FreeStep {
   void next_named(const Position& at);
   bool passes_end_of_thread(const Motion& motion) const;
 
-  HelixShape shape() const;  // of the helix of the pass
   // Follows the motion along every helix that may have begun, or begins with it.
   MatchResult match_helix(const Motion& motion);
   RunOutSet allowed_run_outs(const RunOutSet& left) const;
@@ -74,8 +73,10 @@ class ThreadJudge : public FreeStep {
   bool promises_clearance() const { return item_.runout_length >= item_.depth_of_pass(pass_); }
 
   // The evidence, in thread_faults.cpp.
+  // `off`: how far, where that is a length.
   FreeStepAnswer fault(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
-                       std::string message) const;
+                       std::string message, const Number& off = 0) const;
+  FreeStepAnswer wrong_feed(const Motion& motion) const;
   FreeStepAnswer touching(const Clearance& clearance, reference::ClauseId clause,
                           const Motion& motion, std::string message) const;
   FreeStepAnswer no_helix(const Motion& motion, const MatchResult& result) const;

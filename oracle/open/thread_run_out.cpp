@@ -2,7 +2,6 @@
 #include "oracle/open/thread_run_out.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 #include "oracle/motion/chords.hpp"
@@ -13,10 +12,6 @@ namespace {
 
 Similarity after(const Similarity& second, const Similarity& first) {
   return {second.a * first.a - second.b * first.b, second.a * first.b + second.b * first.a};
-}
-
-std::size_t place_of(ThreadRunOut run_out) {
-  return static_cast<std::size_t>(run_out) - static_cast<std::size_t>(ThreadRunOut::polar);
 }
 
 // GSK-G114-11 from the start of the helix: first to its end, then J over K degrees as read.
@@ -69,19 +64,8 @@ Similarity ThreadRunOutJudge::map_of(ThreadRunOut run_out) const {
 }
 
 Position ThreadRunOutJudge::end_of(ThreadRunOut run_out) const {
-  const PlaneVector end = apply(map_of(run_out), geometry_.from_axis(helix_.want().from));
-  Position at = from_;
-  at[geometry_.axes().p] = geometry_.item().centre[0] + end.p;
-  at[geometry_.axes().q] = geometry_.item().centre[1] + end.q;
-  return at;
-}
-
-Motion ThreadRunOutJudge::line_to(ThreadRunOut run_out) const {
-  Motion line = helix_.want();
-  line.record.kind = RecordKind::feed;
-  line.from = from_;
-  line.record.to = end_of(run_out);
-  return line;
+  const PlaneVector start = geometry_.from_axis(helix_.want().from);
+  return geometry_.place(apply(map_of(run_out), start), from_);
 }
 
 bool ThreadRunOutJudge::take(const Motion& flat) {
@@ -108,8 +92,11 @@ bool ThreadRunOutJudge::take_line(ThreadRunOut run_out, const Motion& flat) {
   if (off_line_[place] || flat.record.kind != RecordKind::feed) return false;
   std::optional<Line>& line = lines_[place];
   if (!line) {
-    Motion want = line_to(run_out);
+    Motion want = helix_.want();
+    want.record.kind = RecordKind::feed;
     want.record.block = flat.record.block;
+    want.from = from_;
+    want.record.to = end_of(run_out);
     line.emplace(std::move(want), geometry_.loose_terms());
   }
   const MatchResult result = line->match.match(flat);
@@ -136,8 +123,7 @@ bool ThreadRunOutJudge::take_arc(const Motion& arc) {
   if (!arc_) arc_ = record;
   swept_.add(approximate_turns(arc));
   const Number& apart = geometry_.loose_terms().tolerance;
-  const PlaneVector end = from_centre(record, arc.to());
-  const double radius = std::hypot(estimate(end.p), estimate(end.q));
+  const double radius = estimate_length(from_centre(record, arc.to()));
   const bool goes_on = std::abs(record.rot) == 1 && (record.rot < 0) == (arc_->rot < 0) &&
                        agree(record.centre[0], arc_->centre[0], apart) &&
                        agree(record.centre[1], arc_->centre[1], apart);
@@ -216,12 +202,7 @@ bool ThreadRunOutJudge::is_unfit() const {
       item.runout == ThreadRunOut::radial || item.runout == ThreadRunOut::tangent;
   const ThreadRunOut run_out = is_straight ? item.runout : ThreadRunOut::polar;
   // Wherever on its circle the helix ends.
-  const auto at = [&](const PlaneVector& v) {
-    Position place = from_;
-    place[geometry_.axes().p] = item.centre[0] + v.p;
-    place[geometry_.axes().q] = item.centre[1] + v.q;
-    return place;
-  };
+  const auto at = [&](const PlaneVector& v) { return geometry_.place(v, from_); };
   Motion line;
   line.record.kind = RecordKind::feed;
   line.record.to = at(apply(run_out_map(item, radius_, {1, 0}, run_out), {radius_, 0}));

@@ -19,12 +19,16 @@ using reference::ThreadRunOut;
 inline constexpr std::array<ThreadRunOut, 3> kRunOuts = {ThreadRunOut::polar, ThreadRunOut::radial,
                                                          ThreadRunOut::tangent};
 
+constexpr std::size_t place_of(ThreadRunOut run_out) {
+  return static_cast<std::size_t>(run_out) - static_cast<std::size_t>(ThreadRunOut::polar);
+}
+
 // Which of the named run-outs explain all passes so far: a whole program has one.
 class RunOutSet {
  public:
-  bool has(ThreadRunOut run_out) const { return left_[index_of(run_out)]; }
-  void remove(ThreadRunOut run_out) { left_[index_of(run_out)] = false; }
-  void add(ThreadRunOut run_out) { left_[index_of(run_out)] = true; }
+  bool has(ThreadRunOut run_out) const { return left_[place_of(run_out)]; }
+  void remove(ThreadRunOut run_out) { left_[place_of(run_out)] = false; }
+  void add(ThreadRunOut run_out) { left_[place_of(run_out)] = true; }
   bool empty() const { return !left_[0] && !left_[1] && !left_[2]; }
   static RunOutSet none() {
     RunOutSet set;
@@ -33,9 +37,6 @@ class RunOutSet {
   }
 
  private:
-  static std::size_t index_of(ThreadRunOut run_out) {
-    return static_cast<std::size_t>(run_out) - static_cast<std::size_t>(ThreadRunOut::polar);
-  }
   std::array<bool, 3> left_ = {true, true, true};
 };
 
@@ -81,7 +82,6 @@ class ThreadRunOutJudge {
   bool surely_ends_at(ThreadRunOut run_out, const Position& here) const;
   Similarity map_of(ThreadRunOut run_out) const;  // from the start of the helix to the end
   Position end_of(ThreadRunOut run_out) const;
-  Motion line_to(ThreadRunOut run_out) const;
 
   const ThreadGeometry& geometry_;
   const OpenHelix& helix_;

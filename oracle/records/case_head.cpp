@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "oracle/records/base64.hpp"
 #include "oracle/records/json_document.hpp"
 #include "oracle/records/text.hpp"
 

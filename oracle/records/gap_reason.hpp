@@ -3,10 +3,8 @@
 // Why the gauge cannot say (R9): a gap is made for one of these reasons, and for no other.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace gonogo::oracle {
@@ -33,10 +31,11 @@ enum class GapReason : std::uint8_t {
   samples_scatter,  // more than the tolerance
   samples_open,     // a path that samples do not decide
   samples_end,      // they end in a dwell
+  samples_stand,    // the machine stands for longer than its dwells
 };
 
 // As results, reports and the program write them.
-inline constexpr std::array<std::string_view, 19> kGapReasons = {"",
+inline constexpr std::array<std::string_view, 20> kGapReasons = {"",
                                                                  "not-covered",
                                                                  "profile-lacks",
                                                                  "comparison",
@@ -54,17 +53,12 @@ inline constexpr std::array<std::string_view, 19> kGapReasons = {"",
                                                                  "samples-rate",
                                                                  "samples-scatter",
                                                                  "samples-open",
-                                                                 "samples-end"};
+                                                                 "samples-end",
+                                                                 "samples-stand"};
 
 constexpr std::string_view name(GapReason reason) {
   return kGapReasons[static_cast<std::size_t>(reason)];
 }
-static_assert(name(GapReason::samples_end) == "samples-end");
-
-inline std::optional<GapReason> gap_reason(std::string_view name) {
-  const auto found = std::ranges::find(kGapReasons, name);
-  if (found == kGapReasons.end()) return std::nullopt;
-  return static_cast<GapReason>(found - kGapReasons.begin());
-}
+static_assert(name(GapReason::samples_stand) == "samples-stand");
 
 }  // namespace gonogo::oracle

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <new>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -97,9 +98,8 @@ std::string not_json(std::string_view text, simdjson::error_code error) {
                      excerpt(text.substr(place.byte() - 1)));
 }
 
-}  // namespace
-
-// Recursion is bounded: the parser refuses what nests deeper than kJsonDepth.
+// A key that stands twice in one of the objects of `value`. Recursion is bounded: the parser
+// refuses what nests deeper than kJsonDepth.
 std::optional<std::string> duplicate_key(const element& value) {
   if (value.type() == element_type::OBJECT) {
     KeySet keys;
@@ -117,6 +117,8 @@ std::optional<std::string> duplicate_key(const element& value) {
   }
   return std::nullopt;
 }
+
+}  // namespace
 
 simdjson::error_code JsonDocument::reserve(std::size_t size) {
   const std::size_t wanted = std::bit_ceil(std::max<std::size_t>(size, 1024));

@@ -5,7 +5,6 @@
 
 #include <simdjson.h>
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -38,8 +37,5 @@ class JsonDocument {
   std::size_t capacity_ = 0;
   std::string copy_;
 };
-
-// A key that stands twice in one of the objects of `value`.
-std::optional<std::string> duplicate_key(const simdjson::dom::element& value);
 
 }  // namespace gonogo::oracle

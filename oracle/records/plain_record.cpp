@@ -129,13 +129,6 @@ bool take_position(Cursor& cursor, Position& at, AxisSet& named) {
   return cursor.take('}');
 }
 
-std::optional<Key> key_of(std::string_view text) {
-  for (std::size_t i = 0; i < kKeys; ++i) {
-    if (kKeyNames[i] == text) return static_cast<Key>(i);
-  }
-  return std::nullopt;
-}
-
 // A record while its keys come in, in any order.
 class PlainRecord {
  public:
@@ -174,7 +167,7 @@ bool PlainRecord::take_field(Cursor& cursor) {
     has_clause_ = true;
     return !twice && cursor.take_string(text);
   }
-  const std::optional<Key> key = key_of(text);
+  const std::optional<Key> key = record_key(text);
   if (!key || (present_ & bit(*key)) != 0) return false;
   present_ |= bit(*key);
   return take_value(*key, cursor);

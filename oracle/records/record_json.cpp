@@ -117,9 +117,13 @@ class Fields {
   explicit Fields(const object& source) {
     for (auto field : source) {
       if (field.key == "clause" || field.key.substr(0, 2) == "x-") continue;
-      const Key key = key_of(field.key);
-      values_[static_cast<std::size_t>(key)] = field.value;
-      present_ |= bit(key);
+      const std::optional<Key> key = record_key(field.key);
+      if (!key) {
+        fail_record("The key \"{}\" is unknown; a key of your own begins with x-.",
+                    excerpt(field.key, 60));
+      }
+      values_[static_cast<std::size_t>(*key)] = field.value;
+      present_ |= bit(*key);
     }
   }
   bool has(Key key) const { return (present_ & bit(key)) != 0; }
@@ -140,13 +144,6 @@ class Fields {
   }
 
  private:
-  static Key key_of(std::string_view text) {
-    for (std::size_t i = 0; i < kKeys; ++i) {
-      if (kKeyNames[i] == text) return static_cast<Key>(i);
-    }
-    fail_record("The key \"{}\" is unknown; a key of your own begins with x-.", excerpt(text, 60));
-  }
-
   std::array<element, kKeys> values_;
   std::uint32_t present_ = 0;
 };

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "reference/record.hpp"
@@ -39,6 +40,12 @@ inline constexpr std::array<std::string_view, kKeys> kKeyNames = {
     "via", "lead", "start", "s", "m",  "class", "word", "native"};
 constexpr std::string_view name_of(Key key) {
   return kKeyNames[static_cast<std::size_t>(key)];
+}
+constexpr std::optional<Key> record_key(std::string_view name) {
+  for (std::size_t i = 0; i < kKeys; ++i) {
+    if (kKeyNames[i] == name) return static_cast<Key>(i);
+  }
+  return std::nullopt;
 }
 
 constexpr std::uint32_t bit(Key key) {

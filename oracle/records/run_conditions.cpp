@@ -144,7 +144,7 @@ RunConditions conditions_of(const Json& header, const Json& footer) {
   add_part(header, conditions.part);
   const Json features = header.value("/subject/features"_json_pointer, Json());
   const auto lacks = [&](const char* feature) {
-    return features.is_array() && std::ranges::find(features, Json(feature)) == features.end();
+    return features.is_array() && !names(features, feature);
   };
   if (lacks("m")) {
     conditions.not_compared.push_back({"M functions", cycles_with_m_functions(header)});

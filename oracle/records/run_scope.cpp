@@ -49,18 +49,7 @@ std::string folded(const std::vector<std::string>& names, std::size_t most) {
   return text + " and " + counted(names.size() - shown, "more feature", "more features");
 }
 
-}  // namespace
-
-std::string grouped(std::size_t count) {
-  std::string digits = std::to_string(count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
-  return digits;
-}
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
-}
-
+// "1 known failure is stale, 2 entries of the alarm map are stale"; empty: no entry is.
 std::string stale_text(const std::vector<std::string>& stale) {
   const auto alarms = static_cast<std::size_t>(std::ranges::count_if(
       stale, [](const std::string& entry) { return entry.starts_with(kStaleAlarm); }));
@@ -75,6 +64,18 @@ std::string stale_text(const std::vector<std::string>& stale) {
         counted(alarms, "entry of the alarm map is stale", "entries of the alarm map are stale");
   }
   return text;
+}
+
+}  // namespace
+
+std::string grouped(std::size_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
+  return digits;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
 }
 
 bool NaturalOrder::operator()(std::string_view a, std::string_view b) const {

@@ -145,8 +145,6 @@ class RunScope {
   std::map<Advice, Group> advices_;
 };
 
-// "1 known failure is stale, 2 entries of the alarm map are stale"; empty: no entry is.
-std::string stale_text(const std::vector<std::string>& stale);
 // What an entry of the alarm map begins with where a footer says that it is stale.
 inline constexpr std::string_view kStaleAlarm = "alarm map ";
 // "6,613"

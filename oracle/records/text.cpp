@@ -13,6 +13,8 @@ namespace gonogo::oracle {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+constexpr std::string_view kBase64 =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 bool is_continuation(unsigned char byte) {
   return (byte & 0xC0U) == 0x80;
@@ -65,8 +67,6 @@ void append_json_string(std::string_view text, std::string& out) {
 }
 
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
   out.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -76,10 +76,28 @@ std::string base64(std::string_view bytes) {
       group = group << 8 | (j < count ? static_cast<unsigned char>(bytes[i + j]) : 0U);
     }
     for (std::size_t j = 0; j < 4; ++j) {
-      out += j <= count ? kDigits[group >> (18 - 6 * j) & 63U] : '=';
+      out += j <= count ? kBase64[group >> (18 - 6 * j) & 63U] : '=';
     }
   }
   return out;
+}
+
+std::optional<std::string> decode_base64(std::string_view text) {
+  std::string bytes;
+  std::uint32_t bits = 0;
+  unsigned waiting = 0;
+  for (const char digit : text.substr(0, text.find('='))) {
+    const std::size_t value = kBase64.find(digit);
+    if (value == std::string_view::npos) return std::nullopt;
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    waiting += 6;
+    if (waiting < 8) continue;
+    waiting -= 8;
+    bytes += static_cast<char>(bits >> waiting & 0xFFU);
+  }
+  // Only one text stands for given bytes: padding and unused bits are checked by writing it again.
+  if (base64(bytes) != text) return std::nullopt;
+  return bytes;
 }
 
 std::string readable(std::string_view bytes) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,10 @@ bool is_utf8(std::string_view text);
 // A JSON string with its quotes. REQUIRES: is_utf8(text).
 void append_json_string(std::string_view text, std::string& out);
 
+// Base64 (RFC 4648 section 4: with padding, without blanks, unused bits zero), and the bytes of
+// it; nothing when the text is none.
 std::string base64(std::string_view bytes);
+std::optional<std::string> decode_base64(std::string_view text);
 
 // The same text with U+FFFD for each byte that is not part of well-formed UTF-8.
 std::string readable(std::string_view bytes);

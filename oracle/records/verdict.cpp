@@ -89,19 +89,13 @@ std::string_view name(RelationRule rule) {
   return kRules[static_cast<std::size_t>(rule)];
 }
 
-std::optional<RelationRule> relation_rule(std::string_view name) {
-  const auto found = std::ranges::find(kRules, name);
-  if (found == kRules.end()) return std::nullopt;
-  return static_cast<RelationRule>(found - kRules.begin());
-}
-
 std::string rule_text(std::string_view name) {
   constexpr std::array<std::string_view, 9> kTitles = {
       "", "correspondence", "place", "label", "traverse", "event", "alarm", "silence", "free step"};
   std::string text(name);
-  const auto rule = relation_rule(name);
-  if (!rule || *rule == RelationRule::none) return text;
-  return text.append(" (").append(kTitles[static_cast<std::size_t>(*rule)]).append(")");
+  const auto place = static_cast<std::size_t>(std::ranges::find(kRules, name) - kRules.begin());
+  if (name.empty() || place == kRules.size()) return text;
+  return text.append(" (").append(kTitles[place]).append(")");
 }
 
 RelationRule rule_of(const Verdict& verdict) {

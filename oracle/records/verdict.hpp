@@ -75,8 +75,7 @@ enum class RelationRule : std::uint8_t {
   silence,
   free_step,
 };
-std::string_view name(RelationRule rule);  // "R2"; "" of none
-std::optional<RelationRule> relation_rule(std::string_view name);
+std::string_view name(RelationRule rule);      // "R2"; "" of none
 std::string rule_text(std::string_view name);  // "R2 (place)"; of another name the name itself
 
 // A verdict with its evidence. Texts of records are JSON, numbers exact.

@@ -93,9 +93,12 @@ class BandMaker {
     add(band);
   }
 
-  // False when the bands are too many, or the ends known so coarsely that no number of bands would do.
+  // False when the bands are too many, or the ends known so coarsely that no number of bands would
+  // do.
   bool add_spiral(const Arc& arc, const Stretch& all) {
-    const auto is_coarse = [this](const Interval& radius) { return radius.sup() - radius.inf() > 2 * width_; };
+    const auto is_coarse = [this](const Interval& radius) {
+      return radius.sup() - radius.inf() > 2 * width_;
+    };
     if (is_coarse(all.ra) || is_coarse(all.rb)) return false;
     std::vector<Stretch> open{all};
     while (!open.empty()) {

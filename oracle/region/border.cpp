@@ -28,6 +28,14 @@ bool meets_area(const Band& band, const EnclosedRectangle& area) {
   return near(band.c + middle * band.ua, half);
 }
 
+// Puts the value in front of those before that place, for the one that stands there.
+template <class Lately, class Value>
+void bring_to_front(Lately& lately, std::size_t place, Value value) {
+  const auto one = lately.begin() + static_cast<std::ptrdiff_t>(place);
+  std::rotate(lately.begin(), one, one + 1);
+  lately.front() = value;
+}
+
 }  // namespace
 
 BorderFilter::BorderFilter(std::span<const Band> bands, const Grid& grid, const Target& target)
@@ -117,15 +125,8 @@ bool BorderFilter::is_between(const BorderPiece& piece, std::uint32_t other) con
 }
 
 void BorderFilter::remember(std::uint32_t other, std::size_t place) {
-  std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(place),
-              recent_.begin() + static_cast<std::ptrdiff_t>(place) + 1);
-  recent_.front() = static_cast<std::int64_t>(other) - static_cast<std::int64_t>(band_);
-}
-
-void BorderFilter::remember_band(std::uint32_t other, std::size_t place) {
-  std::rotate(bands_lately_.begin(), bands_lately_.begin() + static_cast<std::ptrdiff_t>(place),
-              bands_lately_.begin() + static_cast<std::ptrdiff_t>(place) + 1);
-  bands_lately_.front() = other;
+  bring_to_front(recent_, place,
+                 static_cast<std::int64_t>(other) - static_cast<std::int64_t>(band_));
 }
 
 // Whether the band covers the piece, or so much of it that its halves are worth a try before all
@@ -141,26 +142,23 @@ BorderFilter::Cover BorderFilter::try_band(const BorderPiece& piece, std::uint32
 
 BorderFilter::Cover BorderFilter::try_recent(const BorderPiece& piece, const Middle& at) {
   Cover cover = Cover::unknown;
+  const auto covers = [&](std::uint32_t other) {
+    const Cover by_it = try_band(piece, other, at);
+    if (by_it != Cover::unknown) cover = by_it;
+    return by_it == Cover::yes;
+  };
   for (std::size_t place = 0; place < recent_.size(); ++place) {
     const std::int64_t index = static_cast<std::int64_t>(band_) + recent_[place];
     if (index < 0 || index >= static_cast<std::int64_t>(bands_.size())) continue;
-    const auto other = static_cast<std::uint32_t>(index);
-    const Cover by_it = try_band(piece, other, at);
-    if (by_it == Cover::unknown) continue;
-    cover = by_it;
-    if (by_it == Cover::yes) {
-      remember(other, place);
-      return cover;
-    }
+    if (!covers(static_cast<std::uint32_t>(index))) continue;
+    remember(static_cast<std::uint32_t>(index), place);
+    return cover;
   }
   for (std::size_t place = 0; place < bands_lately_.size(); ++place) {
-    const Cover by_it = try_band(piece, bands_lately_[place], at);
-    if (by_it == Cover::unknown) continue;
-    cover = by_it;
-    if (by_it == Cover::yes) {
-      remember_band(bands_lately_[place], place);
-      return cover;
-    }
+    const std::uint32_t other = bands_lately_[place];
+    if (!covers(other)) continue;
+    bring_to_front(bands_lately_, place, other);
+    return cover;
   }
   return cover;
 }
@@ -170,7 +168,7 @@ bool BorderFilter::try_near(const BorderPiece& piece, const Middle& at) {
     if (other == band_ || !(rough_distance(bands_[other], at.x, at.y) < kBeside)) continue;
     if (is_inside(piece, bands_[other]) || is_between(piece, other)) {
       remember(other, recent_.size() - 1);
-      remember_band(other, bands_lately_.size() - 1);
+      bring_to_front(bands_lately_, bands_lately_.size() - 1, other);
       return true;
     }
   }

@@ -81,7 +81,6 @@ class BorderFilter {
   Cover try_recent(const BorderPiece& piece, const Middle& at);
   bool try_near(const BorderPiece& piece, const Middle& at);
   void remember(std::uint32_t other, std::size_t place);
-  void remember_band(std::uint32_t other, std::size_t place);
   bool seems_hole(double x, double y) const;
   bool examine(const BorderPiece& piece);
   void halve(const BorderPiece& piece);

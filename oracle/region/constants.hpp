@@ -158,5 +158,9 @@ inline constexpr double kWiderCut = 8;
 inline constexpr int kPlacesAcross = 40;
 // pieces | of a motion by which its way is measured | J-PKT-10
 inline constexpr int kPiecesOfWay = 64;
+// s | a sampled motion that lasts no longer may be all speeding up and slowing down | J-RUN-11
+inline constexpr double kLongestRamp = 5;
+// s | for which a machine may stand at the place of a dwell beyond what is due | J-RUN-11
+inline constexpr double kLongestStand = 10;
 
 }  // namespace gonogo::oracle

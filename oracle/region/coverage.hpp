@@ -25,6 +25,6 @@ enum class Method { filter_first, exact_only };
 
 // `tolerance` says how finely spirals are cut: a part's radius changes by a fraction of it.
 Coverage check_coverage(const Path& path, const Target& target, const Number& tolerance,
-                        Method method = Method::filter_first);
+                        Method method);
 
 }  // namespace gonogo::oracle::region

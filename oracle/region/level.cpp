@@ -3,22 +3,12 @@
 
 #include <algorithm>
 #include <deque>
-#include <utility>
 
 #include "oracle/region/constants.hpp"
-#include "oracle/region/judge.hpp"
 #include "oracle/region/rules.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
-
-LevelVerdict out_of_range(std::string what) {
-  LevelVerdict verdict;
-  verdict.kind = LevelVerdict::Kind::gap;
-  verdict.reason = GapReason::unjudged_form;
-  verdict.gap = std::move(what);
-  return verdict;
-}
 
 bool is_sound(const RoundedRectangle& shape) {
   return shape.core_p.sign() >= 0 && shape.core_q.sign() >= 0 && shape.radius.sign() > 0;
@@ -77,7 +67,8 @@ class JudgedLately {
 LevelVerdict judge_level_by(Method method, const CircularLevel& level,
                             std::span<const LevelMotion> motions) {
   if (!is_sound(level) || level.tool_radius >= level.pocket_radius || level.step.sign() <= 0) {
-    return out_of_range("The pocket, tool, step or tolerance is out of range.");
+    return LevelVerdict::undecided(GapReason::unjudged_form,
+                                   "The pocket, tool, step or tolerance is out of range.");
   }
   AnyLevel terms(level);
   terms.middle = level.centre;
@@ -91,7 +82,10 @@ LevelVerdict judge_level_by(Method method, const RectangularLevel& level,
   const bool sound = is_sound(level) && is_sound(level.area) &&
                      (!level.cleared || is_sound(*level.cleared)) &&
                      level.tool_radius <= level.area.radius;
-  if (!sound) return out_of_range("The pocket, tool or tolerance is out of range.");
+  if (!sound) {
+    return LevelVerdict::undecided(GapReason::unjudged_form,
+                                   "The pocket, tool or tolerance is out of range.");
+  }
   AnyLevel terms(level);
   terms.area = level.area;
   terms.cleared = level.cleared;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "oracle/records/gap_reason.hpp"
@@ -141,6 +142,10 @@ struct LevelVerdict {
   std::string gap;                 // why it could not be decided
   GapReason reason = GapReason::none;
   bool by_filter = true;  // decided by certified subdivision alone
+
+  static LevelVerdict undecided(GapReason reason, std::string why) {
+    return {Kind::gap, {}, std::move(why), reason};
+  }
 };
 
 // The first rule broken in the order sense, gouge, cover, step, order.

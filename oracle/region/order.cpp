@@ -27,15 +27,11 @@ CutSequence::CutSequence(const PlanePoint& plunge, const Number& step, const Num
   bands_.push_back(disc_about(plunge_, reach_));
 }
 
-void CutSequence::add_disc(const IntervalVector& point, std::size_t unit) {
-  bands_.push_back(disc_about(point, reach_));
-  bands_.back().unit = static_cast<std::uint32_t>(unit);
-}
-
-void CutSequence::own_bands(std::size_t first) {
-  for (std::size_t i = first; i < bands_.size(); ++i) {
+void CutSequence::add_unit(const CutUnit& unit) {
+  for (std::size_t i = unit.bands; i < bands_.size(); ++i) {
     bands_[i].unit = static_cast<std::uint32_t>(units_.size());
   }
+  units_.push_back(unit);
 }
 
 void CutSequence::add(const Arc& arc, bool counterclockwise) {
@@ -70,10 +66,9 @@ void CutSequence::add_part(const Arc& arc, const Stretch& stretch, bool counterc
   unit.bands = bands_.size();
   if (!append_stretch(arc, stretch, reach_, width_, bands_)) too_long_ = true;
   // An arc before it has a disc where it ends.
-  if (units_.empty() || !units_.back().clears) add_disc(unit.begin, units_.size());
-  add_disc(unit.end, units_.size());
-  own_bands(unit.bands);
-  units_.push_back(unit);
+  if (units_.empty() || !units_.back().clears) bands_.push_back(disc_about(unit.begin, reach_));
+  bands_.push_back(disc_about(unit.end, reach_));
+  add_unit(unit);
 }
 
 void CutSequence::add_line(const Line& line, bool clears, std::size_t record) {
@@ -85,8 +80,7 @@ void CutSequence::add_line(const Line& line, bool clears, std::size_t record) {
   unit.record = record;
   unit.bands = bands_.size();
   if (clears) append_line(line.a, line.b, reach_, bands_);
-  own_bands(unit.bands);
-  units_.push_back(unit);
+  add_unit(unit);
 }
 
 // Walks the path in the order of time, in pieces that lie in one band each.
@@ -286,16 +280,12 @@ CutOrder OrderCheck::run() {
   for (std::size_t unit = 0; unit < units_.size(); ++unit) {
     if (auto broken = walk(unit)) return *broken;
   }
-  CutOrder fine;
-  if (undecided_) fine.kind = CutOrder::Kind::undecided;
-  return fine;
+  return {undecided_ ? CutOrder::Kind::undecided : CutOrder::Kind::fine, 0, {}, {}};
 }
 
 CutOrder CutSequence::check(double half_side) const {
-  if (!too_long_) return OrderCheck(*this, half_side).run();
-  CutOrder unknown;
-  unknown.kind = CutOrder::Kind::undecided;
-  return unknown;
+  if (too_long_) return {CutOrder::Kind::undecided, 0, {}, {}};
+  return OrderCheck(*this, half_side).run();
 }
 
 }  // namespace gonogo::oracle::region

@@ -53,8 +53,8 @@ class CutSequence {
  private:
   friend class OrderCheck;
   void add_part(const Arc& arc, const Stretch& stretch, bool counterclockwise);
-  void add_disc(const IntervalVector& point, std::size_t unit);
-  void own_bands(std::size_t first);
+  // With its bands, which are the last.
+  void add_unit(const CutUnit& unit);
 
   IntervalVector plunge_;
   Interval step_;

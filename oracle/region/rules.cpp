@@ -4,53 +4,19 @@
 #include <algorithm>
 #include <utility>
 
-#include "oracle/region/border_sense.hpp"
-#include "oracle/region/chords.hpp"
 #include "oracle/region/constants.hpp"
 #include "oracle/region/gouge.hpp"
+#include "oracle/region/level_sense.hpp"
 #include "oracle/region/order.hpp"
-#include "oracle/region/winding.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
 
-LevelVerdict gap(GapReason reason, std::string why) {
-  LevelVerdict verdict;
-  verdict.kind = LevelVerdict::Kind::gap;
-  verdict.reason = reason;
-  verdict.gap = std::move(why);
-  return verdict;
-}
-
 LevelVerdict broken(Rule rule, std::optional<std::size_t> record, PlanePoint witness,
                     Number deviation) {
-  LevelVerdict verdict;
-  verdict.kind = LevelVerdict::Kind::no_go;
-  verdict.finding = Finding{rule, record, std::move(witness), std::move(deviation)};
-  return verdict;
-}
-
-LevelVerdict against_sense(const LevelMotion& motion) {
-  return broken(Rule::sense, motion.record, motion.from, Number());
-}
-
-// An arc that moves: not a turn of radius 0.
-bool moves(const LevelMotion& motion) {
-  if (!motion.is_arc) return false;
-  return !(motion.from == motion.to && motion.from == motion.centre);
-}
-
-// Ends no farther apart than the tolerance on either axis.
-bool ends_agree(const LevelMotion& motion, const Number& tolerance) {
-  return exact::abs(motion.from.p - motion.to.p) <= tolerance &&
-         exact::abs(motion.from.q - motion.to.q) <= tolerance;
-}
-
-// Such ends, but not the same point: rounding may have made this of no motion at all or of a whole
-// turn.
-bool is_open(const LevelMotion& motion, const Number& within) {
-  if (!motion.is_arc || motion.rot == 0 || whole_turns(motion.rot) > 0) return false;
-  return !(motion.from == motion.to) && ends_agree(motion, within);
+  return {LevelVerdict::Kind::no_go,
+          Finding{rule, record, std::move(witness), std::move(deviation)},
+          {}};
 }
 
 class LevelJudge {
@@ -60,34 +26,11 @@ class LevelJudge {
         motions_(motions),
         method_(method),
         border_(terms.border()),
-        surely_(border_, terms.sense, terms.tolerance - terms.slack),
-        perhaps_(border_, terms.sense, terms.tolerance + terms.slack),
-        nearby_(
-            enclose(min(terms.tool_radius, inner_radius(border_)) / Number(kSmallOfTool)).inf()) {
-    if (terms.chord.sign() > 0) {
-      chords_ = find_chords(motions, terms.chord + terms.tolerance);
-      along_chords_.emplace(border_, terms.sense, terms.tolerance + terms.chord);
-    }
-  }
+        sense_(terms, motions) {}
 
   LevelVerdict judge();
 
  private:
-  std::optional<LevelVerdict> sense();
-  bool turns_wrongly(const LevelMotion& motion) const;
-  std::optional<LevelVerdict> sense_along_border();
-  std::optional<LevelVerdict> sense_round_middle();
-  std::optional<LevelVerdict> sense_of_chords();
-  Course course_along(const BorderSense& border, const LevelMotion& motion) const;
-  Course course_of_pieces(std::size_t motion, std::optional<PlanePoint>& touch) const;
-  Line line_of(const LevelMotion& motion) const {
-    return make_line(motion.from - terms_.middle, motion.to - terms_.middle);
-  }
-  bool is_small(const LevelMotion& motion) const;
-  bool is_against(const Arc& arc, bool counterclockwise) const {
-    if (terms_.by_border) return surely_.of_arc(arc, counterclockwise).way < 0;
-    return counterclockwise != (terms_.sense > 0);
-  }
   std::optional<LevelVerdict> gouge();
   std::optional<LevelVerdict> gouge_of_ends(const LevelMotion& motion, const Number& margin);
   std::optional<LevelVerdict> gouge_of_line(const LevelMotion& motion, bool is_chord);
@@ -96,24 +39,19 @@ class LevelJudge {
   Reach reach_of(const Part& part, const Number& margin) const;
   std::optional<LevelVerdict> within(const LevelMotion& motion, const Reach& reach);
   std::optional<LevelVerdict> order();
-  bool is_chord(std::size_t motion) const { return !chords_.empty() && chords_[motion]; }
   std::optional<LevelVerdict> covers(Rule rule, const RoundedRectangle& area, const Number& reach);
   void clear_with(Arc arc, bool counterclockwise);
   void clear_with(const Line& line);
   void clear_with_ends(const LevelMotion& motion);
   void leave_undecided(GapReason reason, std::string why) {
-    if (!doubt_) doubt_ = gap(reason, std::move(why));
+    if (!doubt_) doubt_ = LevelVerdict::undecided(reason, std::move(why));
   }
 
   const AnyLevel& terms_;
   std::span<const LevelMotion> motions_;
   Method method_;
   RoundedRectangle border_;
-  BorderSense surely_;
-  BorderSense perhaps_;
-  double nearby_;  // how far small motions lead from the border
-  std::optional<BorderSense> along_chords_;
-  std::vector<bool> chords_;  // of the motions, where they are granted
+  LevelSense sense_;
   Path path_;
   // Where the order counts: of the least reach, and of the widest, where there is a slack.
   std::vector<CutSequence> sequences_;
@@ -123,7 +61,10 @@ class LevelJudge {
 };
 
 LevelVerdict LevelJudge::judge() {
-  if (auto verdict = sense()) return *verdict;
+  if (const LevelMotion* motion = sense_.motion_against()) {
+    return broken(Rule::sense, motion->record, motion->from, Number());
+  }
+  if (sense_.doubt() != nullptr) leave_undecided(GapReason::comparison, sense_.doubt());
   if (terms_.step) {
     // J-PKT-05: two places, each off by the tolerance on both axes, are 2 sqrt(2) of it farther
     // apart than they should be, and chords each run so far inside of their arcs.
@@ -153,127 +94,13 @@ LevelVerdict LevelJudge::judge() {
   return verdict;
 }
 
-Course LevelJudge::course_along(const BorderSense& border, const LevelMotion& motion) const {
-  if (!motion.is_arc) return border.of_line(line_of(motion));
-  const bool about_end = motion.from == motion.centre || motion.to == motion.centre;
-  if (motion.rot == 0 || about_end) return {};
-  return border.of_arc(make_arc(motion, terms_.middle), motion.rot > 0);
-}
-
-// A negligible motion has none.
-bool has_sense(const LevelMotion& motion, const Number& within) {
-  return !motion.is_arc || (moves(motion) && !is_open(motion, within));
-}
-
-std::optional<LevelVerdict> LevelJudge::sense() {
-  if (!terms_.by_border) {
-    for (const LevelMotion& motion : motions_) {
-      if (turns_wrongly(motion)) return against_sense(motion);
-    }
-  }
-  if (auto verdict = sense_along_border()) return verdict;
-  if (terms_.by_border) return std::nullopt;
-  if (auto verdict = sense_round_middle()) return verdict;
-  return terms_.chord.sign() > 0 ? sense_of_chords() : std::nullopt;
-}
-
-// GSK-G110-09: by arcs turning the commanded way.
-bool LevelJudge::turns_wrongly(const LevelMotion& motion) const {
-  if (!motion.is_arc || !has_sense(motion, terms_.turns.within)) return false;
-  if (motion.rot == 0) return !(motion.from == motion.to);
-  return (motion.rot > 0) != (terms_.sense > 0);
-}
-
-// J-PKT-06: rings round the middle, in pieces of any kind.
-std::optional<LevelVerdict> LevelJudge::sense_round_middle() {
-  Winding winding(terms_.middle, terms_.sense, terms_.step.value_or(0),
-                  Number(kBlur) * terms_.tolerance);
-  for (const LevelMotion& motion : motions_) {
-    if (!has_sense(motion, terms_.turns.within)) continue;
-    const Against answer = winding.add(motion);
-    if (answer == Against::yes) return against_sense(motion);
-    if (answer == Against::undecided) {
-      leave_undecided(GapReason::comparison, "Which way the path goes round is undecided.");
-    }
-  }
-  return std::nullopt;
-}
-
-// Whether the motion stays near where it begins.
-bool LevelJudge::is_small(const LevelMotion& motion) const {
-  const IntervalVector way = enclose(motion.to) - enclose(motion.from);
-  if (!(norm(way).sup() <= nearby_)) return false;
-  if (!motion.is_arc || motion.rot == 0) return true;
-  if (motion.from == motion.centre || motion.to == motion.centre) return true;
-  const Arc arc = make_arc(motion, terms_.middle);
-  return 2 * std::max(arc.ra.sup(), arc.rb.sup()) <= nearby_ || (arc.turns == 0 && !arc.sweep.wide);
-}
-
-// J-PKT-06, SIE-LC75-12: nowhere back along the border by more than a quarter of the tool's radius,
-// or of the half width of E. Places of the path may be off by the tolerance.
-std::optional<LevelVerdict> LevelJudge::sense_along_border() {
-  const Number quarter = min(terms_.tool_radius, inner_radius(border_)) / Number(kSmallOfTool);
-  WayBack way(quarter + terms_.tolerance - terms_.slack, quarter + terms_.tolerance + terms_.slack);
-  std::optional<PlanePoint> touch;
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
-    const LevelMotion& motion = motions_[i];
-    if (!motion.is_arc && motion.from == motion.to) continue;
-    Course narrow;
-    Course wide;
-    if (has_sense(motion, terms_.turns.within)) {
-      narrow = wide = course_along(surely_, motion);
-      if (terms_.slack.sign() != 0) wide = course_along(perhaps_, motion);
-    }
-    if (narrow.way == 0 && wide.way == 0) {
-      narrow = wide = course_of_pieces(i, touch);
-    } else {
-      touch.reset();
-      if (surely_.touches(motion.to - terms_.middle)) touch = motion.to - terms_.middle;
-    }
-    const Against answer = way.add(narrow, wide);
-    if (answer == Against::yes) return against_sense(motion);
-    if (answer == Against::undecided) {
-      leave_undecided(GapReason::comparison, "How far the path goes back is undecided.");
-    }
-  }
-  return std::nullopt;
-}
-
-// Small motions in a row that touch the border again and again, as one along it; straight chords
-// that run along it likewise. `touch`: where they did, and how far they have been counted.
-Course LevelJudge::course_of_pieces(std::size_t number, std::optional<PlanePoint>& touch) const {
-  const LevelMotion& motion = motions_[number];
-  const BorderSense& border = is_chord(number) ? *along_chords_ : surely_;
-  const BorderSense& length = is_chord(number) ? *along_chords_ : perhaps_;
-  const PlanePoint to = motion.to - terms_.middle;
-  const bool follows = is_chord(number) && border.runs_along(line_of(motion));
-  const bool is_near =
-      is_small(motion) && touch && norm(enclose(to) - enclose(*touch)).sup() <= nearby_;
-  if (!follows && !is_near) touch.reset();
-  if (!border.touches(to)) return {};
-  if (!touch) touch = follows ? motion.from - terms_.middle : to;
-  if (!length.is_long_enough(*touch, to)) return {};
-  return length.between(*std::exchange(touch, to), to);
-}
-
-// J-PKT-06
-std::optional<LevelVerdict> LevelJudge::sense_of_chords() {
-  const ChordTurning turning =
-      turning_of(motions_, chords_, terms_.sense, Number(kBlur) * terms_.tolerance);
-  if (turning.kind == Turning::undecided)
-    leave_undecided(GapReason::comparison, "Whether chords turn the wrong way is undecided.");
-  if (turning.kind != Turning::against) return std::nullopt;
-  return against_sense(motions_[turning.motion]);
-}
-
 // J-PKT-02
 std::optional<LevelVerdict> LevelJudge::gouge() {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const LevelMotion& motion = motions_[i];
     const bool is_curve = moves(motion) && motion.rot != 0;
-    if (auto verdict = is_curve ? gouge_of_arc(motion) : gouge_of_line(motion, is_chord(i))) {
-      return verdict;
-    }
+    auto verdict = is_curve ? gouge_of_arc(motion) : gouge_of_line(motion, sense_.is_chord(i));
+    if (verdict) return verdict;
   }
   return std::nullopt;
 }
@@ -292,7 +119,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion,
   if (auto verdict = gouge_of_ends(motion, margin)) return verdict;
   const bool is_line = !motion.is_arc && !(motion.from == motion.to);
   if (is_line) {
-    const Line line = line_of(motion);
+    const Line line = make_line(motion.from - terms_.middle, motion.to - terms_.middle);
     for (CutSequence& one : sequences_) one.add_line(line, is_chord, motion.record);
     if (is_chord || terms_.by_border) clear_with(line);
   } else if (terms_.by_border) {
@@ -322,7 +149,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
     arc.turns = 1;  // the end is just past the start
     arc.full = arc.round;
   }
-  if (open && is_against(arc, counterclockwise)) {
+  if (open && sense_.is_against(arc, counterclockwise)) {
     clear_with_ends(motion);  // it can only be meant as no motion
     return std::nullopt;
   }
@@ -455,8 +282,9 @@ LevelVerdict judge_turns(const AnyLevel& terms, std::span<const LevelMotion> mot
   LevelVerdict meant = LevelJudge(terms, motions, method).judge();
   if (meant.kind == LevelVerdict::Kind::no_go) return stated;
   if (!terms.turns.is_ambiguous) return meant;
-  return gap(GapReason::two_readings,
-             "Rounding decides whether an arc makes a turn more or less than its record says.");
+  return LevelVerdict::undecided(
+      GapReason::two_readings,
+      "Rounding decides whether an arc makes a turn more or less than its record says.");
 }
 
 }  // namespace
@@ -464,12 +292,13 @@ LevelVerdict judge_turns(const AnyLevel& terms, std::span<const LevelMotion> mot
 LevelVerdict judge_by_rules(const AnyLevel& terms, std::span<const LevelMotion> motions,
                             Method method) {
   const Rounding outward;
-  if (motions.size() > kMostMotions)
-    return gap(GapReason::cap_level, "The level has more than 50,000 motions.");
+  if (motions.size() > kMostMotions) {
+    return LevelVerdict::undecided(GapReason::cap_level, "The level has more than 50,000 motions.");
+  }
   try {
     return judge_turns(terms, motions, method);
   } catch (const exact::Undecided& error) {
-    return gap(GapReason::comparison, error.what());
+    return LevelVerdict::undecided(GapReason::comparison, error.what());
   }
 }
 

@@ -51,6 +51,11 @@ Profile with_readings(const Profile& profile, ReadingChoice choice) {
   return with;
 }
 
+Profile with_reading(Profile profile, ReadingKey key, std::string_view value) {
+  profile.readings.set(key, value);
+  return profile;
+}
+
 bool add_different(const Profile& profile, const ProgramText& program, AssignmentSet set,
                    std::vector<AssignmentSet>& different, std::size_t most_items) {
   std::size_t i = different.size();

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "oracle/steps/assignment_set.hpp"
@@ -54,6 +55,8 @@ reference::Profile profile_to_show(const reference::Profile& profile, const Prog
 
 reference::Profile with_readings(const reference::Profile& profile,
                                  reference::ReadingChoice choice);
+reference::Profile with_reading(reference::Profile profile, reference::ReadingKey key,
+                                std::string_view value);
 
 // Appends the assignments of a set that say different things, first the one that a run of the set
 // itself takes. False: there are too many.

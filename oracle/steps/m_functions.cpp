@@ -59,10 +59,6 @@ bool starts_something(const Record& m_function) {
   return m_function.before_cut || is_one_of(m_function.m, {3, 4, 6, 7, 8});
 }
 
-bool stops_something(const Record& m_function) {
-  return ends_program(m_function) || is_one_of(m_function.m, {0, 1, 5, 9, 60});
-}
-
 std::size_t times_named(std::string_view line, std::int32_t number) {
   std::size_t times = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {

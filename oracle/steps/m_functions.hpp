@@ -21,10 +21,9 @@ struct DueMFunction {
 };
 
 // What an M function does by the numbers that all makers share: it ends the program, so that
-// nothing runs behind it; it starts or closes what a cut needs; it stops or ends something.
+// nothing runs behind it; it starts or closes what a cut needs.
 bool ends_program(const reference::Record& m_function);
 bool starts_something(const reference::Record& m_function);
-bool stops_something(const reference::Record& m_function);
 
 // How often the line names the M function. By its text: an alarm keeps the reference from saying
 // what the block means.

@@ -13,10 +13,7 @@ namespace gonogo::oracle {
 template <typename Element>
 class Queue {
  public:
-  bool empty() const { return first_ == elements_.size(); }
   std::size_t size() const { return elements_.size() - first_; }
-  Element& front() { return elements_[first_]; }
-  const Element& front() const { return elements_[first_]; }
   auto begin() const { return elements_.begin() + offset(); }
   auto end() const { return elements_.end(); }
 
@@ -24,7 +21,9 @@ class Queue {
   void pop_front() {
     ++first_;
     // Half of it has gone: every element is moved at most once on its way through.
-    if (2 * first_ >= elements_.size()) drop_gone();
+    if (2 * first_ < elements_.size()) return;
+    elements_.erase(elements_.begin(), elements_.begin() + offset());
+    first_ = 0;
   }
   // The element so far behind the first becomes the first.
   void bring_forward(std::size_t place) {
@@ -32,22 +31,9 @@ class Queue {
     const auto one = first + static_cast<std::ptrdiff_t>(place);
     std::rotate(first, one, one + 1);
   }
-  void clear() {
-    elements_.clear();
-    first_ = 0;
-  }
-  template <typename Predicate>
-  void erase_if(Predicate goes) {
-    drop_gone();
-    std::erase_if(elements_, goes);
-  }
 
  private:
   auto offset() const { return static_cast<std::ptrdiff_t>(first_); }
-  void drop_gone() {
-    elements_.erase(elements_.begin(), elements_.begin() + offset());
-    first_ = 0;
-  }
 
   std::vector<Element> elements_;
   std::size_t first_ = 0;  // those before it have gone

@@ -116,23 +116,6 @@ std::string step_text(const ReferenceStep& step) {
       step);
 }
 
-reference::ClauseId clause_of(const ReferenceStep& step) {
-  return std::visit(Overload{[](const Motion& motion) { return motion.record.clause; },
-                             [](const reference::Record& record) { return record.clause; },
-                             [](const reference::PocketLevel& level) { return level.clause; },
-                             [](const reference::HelixPocket& pocket) { return pocket.clause; },
-                             [](const reference::ThreadMilling& thread) { return thread.clause; },
-                             [](const reference::PocketMilling& pocket) { return pocket.clause; },
-                             [](const auto&) { return reference::kNoClause; }},
-                    step);
-}
-
-std::uint64_t block_of(const ReferenceStep& step) {
-  return std::visit(Overload{[](const Motion& motion) { return motion.record.block; },
-                             [](const auto& item) { return item.block; }},
-                    step);
-}
-
 std::string alarms_text(const reference::AlarmReport& report) {
   std::string classes;
   for (const reference::AdmittedClass& one : reference::admitted_classes(report)) {
@@ -155,6 +138,17 @@ std::string exact_text(const Number& value) {
   value.append_json(text);
   if (text.size() > 2 && text.front() == '"') text = text.substr(1, text.size() - 2);
   return text;
+}
+
+Verdict verdict_on(VerdictKind kind, const reference::Record& got, std::size_t number,
+                   std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.block = got.block;
+  verdict.record = number;
+  verdict.got = record_text(got);
+  verdict.message = std::move(message);
+  return verdict;
 }
 
 Verdict undecided_verdict(const exact::Undecided& undecided) {

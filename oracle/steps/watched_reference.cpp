@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "oracle/steps/different_assignments.hpp"
+
 namespace gonogo::oracle {
 
 using reference::Expander;
@@ -11,22 +13,13 @@ using reference::OpenPaths;
 using reference::Profile;
 using reference::ReadingKey;
 
-namespace {
-
-Profile with_value(Profile profile, ReadingKey key, std::string_view value) {
-  profile.readings.set(key, value);
-  return profile;
-}
-
-}  // namespace
-
 // A run under one other alternative than the run that it stands beside.
 struct WatchedReference::Other {
   Other(const Profile& other, const ProgramText& program, Parted its, const Other* its_neighbour)
       : what(its),
         root(its_neighbour == nullptr ? its : its_neighbour->root),
         neighbour(its_neighbour),
-        profile(with_value(other, its.key, its.value)),
+        profile(with_reading(other, its.key, its.value)),
         input(program),
         expander(profile, input.lines, OpenPaths::judged) {}
   bool has(ReadingKey key) const {

@@ -13,6 +13,12 @@ namespace gonogo::oracle::evidence {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+constexpr const char* kCausesFile = "causes.json";
+
+}  // namespace
+
 Causes read_causes(const std::filesystem::path& folder) {
   using report::text_of;
   Causes causes;

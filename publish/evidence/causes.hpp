@@ -12,7 +12,6 @@
 
 namespace gonogo::oracle::evidence {
 
-inline constexpr const char* kCausesFile = "causes.json";
 struct Causes {
   std::map<Finding::Key, Cause> of;
   std::size_t asked = 0;  // findings of which a cause was looked for

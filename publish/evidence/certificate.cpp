@@ -7,12 +7,10 @@
 #include <array>
 #include <filesystem>
 #include <set>
-#include <system_error>
 
-#include "campaign/known_failures.hpp"
+#include "oracle/records/output_file.hpp"
 #include "publish/evidence/certificate_files.hpp"
 #include "publish/evidence/statement.hpp"
-#include "oracle/records/output_file.hpp"
 #include "publish/report/json_value.hpp"
 #include "reference/profile.hpp"
 
@@ -91,20 +89,8 @@ void check_folder(const fs::path& folder, const CertificateSources& sources) {
   for (const std::string& name : own) fs::remove_all(folder / name);
 }
 
-std::vector<std::string> reasons_of(const std::string& path) {
-  if (path.empty()) return {};
-  return waiver_reasons(path);
-}
-
 std::string sum_line(const fs::path& folder, const std::string& name) {
   return fmt::format("{}  {}\n", file_sha256((folder / name).string()), name);
-}
-
-void write_sums(const fs::path& folder, const std::vector<std::string>& files,
-                const std::string& of_traces) {
-  std::string sums;
-  for (const std::string& name : files) sums += sum_line(folder, name);
-  write_file(folder / kSums, sums + of_traces);
 }
 
 // The traces of the cases of the run, in the order of their ids. Returns their lines of SHA256SUMS.
@@ -142,7 +128,8 @@ void write(const CertificateSources& sources, const fs::path& folder) {
   if (!sources.alarm_map.empty()) files.push_back(kAlarmMapFile);
   const char* profile = sources.profile.ends_with(".json") ? kProfileJson : kProfileFile;
   if (!sources.profile.empty()) files.push_back(profile);
-  const std::vector<std::string> reasons = reasons_of(sources.known_failures);
+  std::vector<std::string> reasons;
+  if (!sources.known_failures.empty()) reasons = waiver_reasons(sources.known_failures);
   // What cannot be certified is reported before anything is written.
   make_statement(sources.results, reasons, files, {});
   check_folder(folder, sources);
@@ -159,7 +146,9 @@ void write(const CertificateSources& sources, const fs::path& folder) {
   write_file(folder / kStatementText, statement.markdown);
   files.insert(files.end(), {kStatementText, kStatementJson});
   std::ranges::sort(files);
-  write_sums(folder, files, trace_sums);
+  std::string sums;
+  for (const std::string& name : files) sums += sum_line(folder, name);
+  write_file(folder / kSums, sums + trace_sums);
 }
 
 }  // namespace

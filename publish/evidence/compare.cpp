@@ -6,18 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 
 #include "campaign/encoding.hpp"
 #include "oracle/records/text.hpp"
-#include "publish/evidence/compare_parts.hpp"
-#include "publish/report/case_paths.hpp"
-#include "publish/report/json_value.hpp"
+#include "publish/evidence/results_side.hpp"
 #include "publish/report/summary.hpp"
 
 namespace gonogo::oracle::evidence {
-
-using report::text_of;
-
 namespace {
 
 constexpr std::size_t kNamedDifferences = 1'000;
@@ -27,94 +23,47 @@ constexpr std::array<const char*, 12> kDeparture = {"verdict",   "clause",  "b",
                                                     "word",      "want",    "got",     "reading",
                                                     "deviation", "witness", "feature", "message"};
 
-Decision decision_of_line(const Json& line) {
-  return decision(verdict_kind(text_of(line, "verdict")).value_or(VerdictKind::oracle_error));
-}
-
-// How a case changed; nothing: it did not. What passed and does so no more is worse, under any new
-// verdict (J-RUN-16).
-std::optional<Change> change_of(const Json& before, const Json& after) {
-  const Decision was = decision_of_line(before);
-  const Decision is = decision_of_line(after);
-  if (was == Decision::go && is != Decision::go) return Change::regression;
-  const bool was_known = text_of(before, "verdict") == name(VerdictKind::xfail);
-  if (was_known && fails_otherwise(text_of(before, "departure"), departure_part(before),
-                                   departure_part(after))) {
-    return Change::regression;
-  }
-  if (was == Decision::no_go && is == Decision::go) return Change::mended;
-  if (was == Decision::no_go && is == Decision::no_go) {
-    return departure_part(before) == departure_part(after) ? std::nullopt
-                                                           : std::optional(Change::departure);
-  }
-  if (text_of(before, "verdict") == text_of(after, "verdict")) return std::nullopt;
-  return Change::verdict;
-}
-
-// A results file with the case that is up.
-class Side {
- public:
-  explicit Side(const std::string& path) : reader_(path) { step(); }
-  const ResultsReader& reader() const { return reader_; }
-  const Json* line() const { return at_end_ ? nullptr : &line_; }
-  const std::string& id() const { return id_; }
-  void step() {
-    at_end_ = !reader_.next(line_);
-    id_ = at_end_ ? std::string() : text_of(line_, "id");
-  }
-
- private:
-  ResultsReader reader_;
-  Json line_;
-  std::string id_;
-  bool at_end_ = false;
+// What besides their cases makes runs hard to compare: its name in a sentence, and its place in the
+// header.
+struct HeaderPart {
+  std::string_view what;
+  const char* pointer;
 };
+constexpr std::array<HeaderPart, 21> kHeaderParts = {{
+    {"subject", "/subject/name"},
+    {"version of the subject", "/subject/version"},
+    {"version of gonogo", "/gonogo"},
+    {"corpus", "/corpus"},
+    {"profile", "/profile"},
+    {"readings asked for", "/readings"},
+    {"tolerance", "/tolerance"},
+    {"chord", "/chord"},
+    {"feed resolution", "/feed_resolution"},
+    {"blend", "/blend"},
+    {"feed tolerance", "/feed_tolerance"},
+    {"names of cases shown", "/show_ids"},
+    {"strictness", "/strict"},
+    {"sandbox", "/sandbox"},
+    {"features declared", "/subject/dialects"},
+    {"what is reported besides motions", "/subject/features"},
+    {"numbers declared", "/subject/numeric"},
+    {"cases asked for", "/selection"},
+    {"shard", "/shard"},
+    {"known failures (SHA-256)", "/known_failures"},
+    {"alarm map (SHA-256)", "/alarm_map"},
+}};
 
-void add_both(Comparison& comparison, const Json& before, const Json& after) {
-  const std::optional<Change> change = change_of(before, after);
-  if (!change) {
-    ++comparison.same;
-    return;
-  }
-  comparison.changed.push_back({*change, text_of(after, "id"), text_of(after, "dialect"),
-                                text_of(after, "cycle"), departure_part(before),
-                                departure_part(after)});
+std::string header_part(const Json& header, const HeaderPart& part) {
+  const Json::json_pointer at(part.pointer);
+  return dump(header.contains(at) ? header.at(at) : Json(nullptr));
 }
 
-void note_incomplete(const Side& side, Comparison& comparison) {
-  if (side.reader().footer()) return;
-  comparison.notes.push_back(fmt::format(
-      "{} is incomplete: it has no footer, and cases are missing.", side.reader().path()));
+Decision decision_of(const ResultsSide& side) {
+  return decision(verdict_kind(side.line()->verdict).value_or(VerdictKind::oracle_error));
 }
 
-std::string followed_by(const Side& side) {
-  const auto& footer = side.reader().footer();
-  const std::string followed = report::Summary::follows(footer ? &*footer : nullptr);
-  return followed.empty() ? "no reading mattered" : followed;
-}
-
-// What makes two runs hard to compare, a sentence each.
-void note_differences(const Side& before, const Side& after, Comparison& comparison) {
-  const Json& was = before.reader().header();
-  const Json& is = after.reader().header();
-  for (const HeaderPart& part : kHeaderParts) {
-    const Json a = header_part(was, part);
-    const Json b = header_part(is, part);
-    if (a != b) {
-      comparison.notes.push_back(fmt::format("The runs differ in the {}: {} before, {} now.",
-                                             part.what, visible(dump(a)), visible(dump(b))));
-    }
-  }
-  if (const std::string a = followed_by(before), b = followed_by(after); a != b) {
-    comparison.notes.push_back(
-        fmt::format("The readings that explain everything that passed differ. Before: {}. Now: {}.",
-                    visible(a), visible(b)));
-  }
-}
-
-}  // namespace
-
-Json departure_part(const Json& line) {
+Json departure_part(const ResultsSide& side) {
+  const Json line = side.reader().json();
   Json part;
   for (const char* key : kDeparture) {
     if (line.contains(key)) part[key] = line[key];
@@ -122,58 +71,121 @@ Json departure_part(const Json& line) {
   return part;
 }
 
-bool fails_otherwise(const std::string& departure, Json known, Json now) {
-  const std::string verdict = text_of(now, "verdict");
-  const auto kind = verdict_kind(verdict);
-  if (!kind || decision(*kind) != Decision::no_go || *kind == VerdictKind::xpass) return false;
-  if (verdict != departure) return true;
+// Whether a case that was known to fail is NO-GO now and departs otherwise (J-RUN-16).
+bool fails_otherwise(const ResultsSide& before, const ResultsSide& now) {
+  const std::string& verdict = now.line()->verdict;
+  if (before.line()->verdict != name(VerdictKind::xfail)) return false;
+  if (decision_of(now) != Decision::no_go || verdict == name(VerdictKind::xpass)) return false;
+  if (verdict != before.line()->departure) return true;
+  Json known = departure_part(before);
+  Json told = departure_part(now);
   // The message of an older format has the reason, too.
   for (const char* key : {"verdict", "message"}) {
     known.erase(key);
-    now.erase(key);
+    told.erase(key);
   }
-  return known != now;
+  return known != told;
 }
 
-Json header_part(const Json& header, const HeaderPart& part) {
-  const Json::json_pointer at(part.pointer);
-  return header.contains(at) ? header.at(at) : Json(nullptr);
+// How a case changed that is up in all of them; nothing: it did not. What passed and does so no
+// more is worse, under any new verdict (J-RUN-16). REQUIRES: the last of them is the run now, and
+// there is one before.
+std::optional<Change> change_among(const std::vector<const ResultsSide*>& at) {
+  const ResultsSide& now = *at.back();
+  const Decision is = decision_of(now);
+  bool was_go = false;
+  bool was_no_go = false;
+  bool is_other_failure = false;
+  bool is_elsewhere = false;
+  bool same_verdict = true;
+  for (const ResultsSide* one : at) {
+    if (one == &now) continue;
+    const Decision was = decision_of(*one);
+    was_go = was_go || was == Decision::go;
+    was_no_go = was_no_go || was == Decision::no_go;
+    is_other_failure = is_other_failure || fails_otherwise(*one, now);
+    is_elsewhere = is_elsewhere || (was == Decision::no_go && is == Decision::no_go &&
+                                    departure_part(*one) != departure_part(now));
+    same_verdict = same_verdict && one->line()->verdict == now.line()->verdict;
+  }
+  if ((was_go && is != Decision::go) || is_other_failure) return Change::regression;
+  if (was_no_go && is == Decision::go) return Change::mended;
+  if (is_elsewhere) return Change::departure;
+  return same_verdict ? std::nullopt : std::optional(Change::verdict);
 }
 
-void add_id(std::uint64_t& count, std::vector<std::string>& first, const std::string& id) {
-  ++count;
-  if (first.size() < kNamedDifferences) first.push_back(id);
+void add_case(const ResultsSides& sides, const std::string& id, Comparison& out) {
+  std::vector<const ResultsSide*> at;
+  for (const auto& side : sides) {
+    if (side->is_at(id)) at.push_back(side.get());
+  }
+  if (!sides.back()->is_at(id)) return out.gone.add(id, kNamedDifferences);
+  if (at.size() == 1) return out.added.add(id, kNamedDifferences);
+  const std::optional<Change> change = change_among(at);
+  if (!change) {
+    ++out.same;
+    return;
+  }
+  const CaseHead& now = *at.back()->line();
+  ChangedCase changed{*change, id, now.dialect, now.cycle, {}};
+  for (const auto& side : sides) {
+    changed.runs.push_back(side->is_at(id) ? departure_part(*side) : Json(nullptr));
+  }
+  out.changed.push_back(std::move(changed));
 }
+
+std::string followed_by(const ResultsSide& side) {
+  const auto& footer = side.reader().footer();
+  const std::string followed = report::Summary::follows(footer ? &*footer : nullptr);
+  return followed.empty() ? "no reading mattered" : followed;
+}
+
+// What makes the runs hard to compare, a sentence each.
+void note_differences(const ResultsSides& sides, Comparison& out) {
+  for (const auto& side : sides) {
+    if (side->reader().footer()) continue;
+    out.notes.push_back(fmt::format("{} is incomplete: it has no footer, and cases are missing.",
+                                    side->reader().path()));
+  }
+  const bool are_two = sides.size() == 2;
+  for (const HeaderPart& part : kHeaderParts) {
+    std::vector<std::string> values;
+    for (const Json& header : out.headers) values.push_back(header_part(header, part));
+    if (std::ranges::count(values, values.front()) == std::ssize(values)) continue;
+    const std::string told =
+        are_two ? fmt::format("{} before, {} now", visible(values.front()), visible(values.back()))
+                : fmt::format("{}", fmt::join(values, ", "));
+    out.notes.push_back(fmt::format("The runs differ in the {}: {}.", part.what, told));
+  }
+  if (!are_two) return;
+  if (const std::string a = followed_by(*sides.front()), b = followed_by(*sides.back()); a != b) {
+    out.notes.push_back(
+        fmt::format("The readings that explain everything that passed differ. Before: {}. Now: {}.",
+                    visible(a), visible(b)));
+  }
+}
+
+}  // namespace
 
 std::uint64_t Comparison::count(Change change) const {
   return static_cast<std::uint64_t>(std::ranges::count(changed, change, &ChangedCase::change));
 }
 
-Comparison compare_results(const std::string& before, const std::string& after) {
-  Comparison comparison;
-  Side old_side(before);
-  Side new_side(after);
-  comparison.old_header = old_side.reader().header();
-  comparison.new_header = new_side.reader().header();
-  while (old_side.line() != nullptr || new_side.line() != nullptr) {
-    const bool only_new =
-        old_side.line() == nullptr || (new_side.line() != nullptr && new_side.id() < old_side.id());
-    const bool only_old =
-        !only_new && (new_side.line() == nullptr || old_side.id() < new_side.id());
-    if (only_new) {
-      add_id(comparison.added, comparison.first_added, new_side.id());
-    } else if (only_old) {
-      add_id(comparison.gone, comparison.first_gone, old_side.id());
-    } else {
-      add_both(comparison, *old_side.line(), *new_side.line());
-    }
-    if (!only_new) old_side.step();
-    if (!only_old) new_side.step();
+Comparison compare_runs(const std::vector<std::string>& paths) {
+  Comparison out;
+  out.paths = paths;
+  ResultsSides sides;
+  for (const std::string& path : paths) {
+    sides.push_back(std::make_unique<ResultsSide>(path));
+    out.headers.push_back(sides.back()->reader().header());
   }
-  note_incomplete(old_side, comparison);
-  note_incomplete(new_side, comparison);
-  note_differences(old_side, new_side, comparison);
-  return comparison;
+  while (const CaseHead* first = first_line(sides)) {
+    const std::string id = first->id;
+    add_case(sides, id, out);
+    step_past(sides, id);
+  }
+  note_differences(sides, out);
+  return out;
 }
 
 }  // namespace gonogo::oracle::evidence

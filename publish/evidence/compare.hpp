@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two runs compared, case by case by id.
+// Two runs or more compared, case by case by id. The last of them is the run now, the others came
+// before it.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "campaign/results_reader.hpp"
 #include "publish/evidence/case_row.hpp"
+#include "publish/evidence/counted_ids.hpp"
 
 namespace gonogo::oracle::evidence {
 
-// What became of a case that is not the same in both runs.
+// What became of a case that is not the same in all runs that have it.
 enum class Change {
-  regression,  // a pass before and none now, or a known failure that is NO-GO otherwise now
-  mended,      // NO-GO before, GO now
-  departure,   // NO-GO in both, but departs elsewhere
+  regression,  // a pass in one before and none now, or NO-GO now otherwise than it was known to
+               // fail
+  mended,      // NO-GO in one before, GO now
+  departure,   // NO-GO in one before and now, but departs elsewhere
   verdict,     // any other change of the verdict: NO-GO before, skipped now, ...
 };
 
@@ -25,32 +27,25 @@ struct ChangedCase {
   std::string id;
   std::string dialect;
   std::string cycle;
-  Json before;  // verdict and what it rests on, keys as in results.jsonl
-  Json after;
+  // Run by run the verdict and what it rests on, keys as in results.jsonl; null: not in that run.
+  std::vector<Json> runs;
 };
 
-// What a comparison of two runs or of many says besides the cases that changed.
-struct ComparedCases {
+struct Comparison {
+  std::vector<std::string> paths;
+  std::vector<Json> headers;
   std::vector<std::string> notes;  // sentences: in what the runs differ besides their cases
-  // Cases that only the current run has, and those that it lacks: how many, and the first of them.
-  std::uint64_t added = 0;
-  std::vector<std::string> first_added;
-  std::uint64_t gone = 0;
-  std::vector<std::string> first_gone;
-  std::uint64_t same = 0;
-};
-
-struct Comparison : ComparedCases {
-  Json old_header;
-  Json new_header;
   std::vector<ChangedCase> changed;
+  CountedIds added;  // that only the run now has
+  CountedIds gone;   // that it lacks
+  std::uint64_t same = 0;
 
   std::uint64_t count(Change change) const;
 };
 
-// Reads both files once, side by side; memory grows with the differences only. Throws ResultsError
-// for a file that is faulty; an incomplete one is named in the notes.
-Comparison compare_results(const std::string& before, const std::string& after);
+// Reads all files once, side by side; memory grows with the differences only. Throws ResultsError
+// for a file that is faulty; an incomplete one is named in the notes. REQUIRES: two files or more.
+Comparison compare_runs(const std::vector<std::string>& paths);
 
 enum class CompareFormat { text, json, markdown };
 std::string comparison_text(const Comparison& comparison, CompareFormat format);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publish/evidence/evidence.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -12,7 +10,7 @@
 #include "campaign/results_writer.hpp"
 #include "campaign/selection.hpp"
 #include "oracle/records/output_file.hpp"
-#include "publish/evidence/badge.hpp"
+#include "oracle/records/text.hpp"
 #include "publish/evidence/causes.hpp"
 #include "publish/evidence/junit.hpp"
 #include "publish/evidence/markdown.hpp"
@@ -58,6 +56,23 @@ std::map<std::string, report::CorpusCase> programs_of(const Corpus* corpus, cons
   return programs;
 }
 
+// The JSON that a badge service of the shields kind reads. Green is a whole corpus under the
+// subject's own numbers alone (J-RUN-01).
+std::string badge_json(const RunState& state) {
+  const Json& headline = state.summary["headline"];
+  std::string colour = "yellow";
+  if (state.decision == "GO") {
+    colour = headline["whole"] == true ? "brightgreen" : "yellowgreen";
+  } else if (state.decision == "NO-GO") {
+    colour = "red";
+  }
+  return dump({{"schemaVersion", 1},
+               {"label", "gonogo"},
+               {"message", visible(report::text_of(headline, "short"))},
+               {"color", colour}}) +
+         "\n";
+}
+
 // What the lines of a run are written to, in one pass over them.
 class Writers {
  public:
@@ -101,7 +116,7 @@ class Writers {
     write_file(folder_ / "badge.json", badge_json(state));
     write_file(folder_ / "summary.md", markdown_.text(state));
   }
-  std::optional<report::ReportError> finish_page() {
+  std::optional<std::string> finish_page() {
     const Json* footer = reader_.footer() ? &*reader_.footer() : nullptr;
     return page_.finish(summary_.finish(reader_.header(), footer, 0));
   }
@@ -163,7 +178,7 @@ std::optional<std::string> write_evidence(const std::string& results, const std:
     writers.finish();
     write_causes(folder, causes);
     if (auto error = writers.finish_page()) {
-      throw std::system_error(std::make_error_code(std::errc::io_error), error->message);
+      throw std::system_error(std::make_error_code(std::errc::io_error), *error);
     }
     return std::nullopt;
   } catch (const ResultsError& error) {

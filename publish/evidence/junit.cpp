@@ -5,9 +5,9 @@
 
 #include <system_error>
 
-#include "publish/evidence/text.hpp"
 #include "oracle/records/input_file.hpp"
 #include "oracle/records/output_file.hpp"
+#include "publish/evidence/text.hpp"
 #include "publish/report/escape.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -124,21 +124,13 @@ void JunitWriter::add(const CaseRow& facts, const Finding* finding) {
   own.out << fmt::format("<testcase classname=\"{}.{}\" name=\"{}\" time=\"{}\"",
                          xml_attribute(facts.dialect), xml_attribute(facts.cycle),
                          xml_attribute(facts.id), seconds(facts.microseconds));
-  switch (mark) {
-    case JunitMark::passed:
-      own.out << "/>\n";
-      return;
-    case JunitMark::failure:
-      own.out << '>' << element("failure", facts, finding);
-      break;
-    case JunitMark::error:
-      own.out << '>' << element("error", facts, finding);
-      break;
-    case JunitMark::skipped:
-      own.out << '>' << skipped(facts);
-      break;
+  if (mark == JunitMark::passed) {
+    own.out << "/>\n";
+    return;
   }
-  own.out << "</testcase>\n";
+  const char* const tag = mark == JunitMark::failure ? "failure" : "error";
+  own.out << '>' << (mark == JunitMark::skipped ? skipped(facts) : element(tag, facts, finding))
+          << "</testcase>\n";
 }
 
 void JunitWriter::copy_suite(const std::string& dialect, Suite& suite, OutputFile& out,

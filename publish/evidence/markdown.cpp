@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "oracle/records/finding_text.hpp"
 #include "publish/evidence/text.hpp"
 #include "publish/report/clauses.hpp"
@@ -14,18 +16,9 @@ using report::text_of;
 
 namespace {
 
-std::string_view word(Decision decision) {
-  switch (decision) {
-    case Decision::go:
-      return "GO";
-    case Decision::no_go:
-      return "NO-GO";
-    case Decision::neither:
-      return "neither";
-    default:
-      return "undecided";
-  }
-}
+// In the order of Decision.
+constexpr std::array<std::string_view, kDecisions> kDecisionWords = {"GO", "NO-GO", "undecided",
+                                                                     "neither"};
 
 std::string cases(std::size_t count) {
   return grouped(count) + (count == 1 ? " case" : " cases");
@@ -39,15 +32,35 @@ std::size_t unhit_clauses(const Json& summary) {
   return count;
 }
 
-std::string list_of_texts(const Json& footer, const char* key, std::string_view sentence) {
-  std::string text;
-  if (!footer.is_object()) return text;
-  for (const Json& item : footer.value(key, Json::array())) {
-    if (!item.is_string()) continue;
-    if (text.empty()) text = fmt::format("\n{}\n\n", sentence);
-    text += "- " + markdown_code(item.get<std::string>()) + "\n";
-  }
+std::string stale_list(const RunState& state) {
+  if (state.stale.empty()) return {};
+  std::string text = "\nStale entries of the subject's own files:\n\n";
+  for (const std::string& entry : state.stale) text += "- " + markdown_code(entry) + "\n";
   return text;
+}
+
+// The cycles with what became of their cases, as of the summary; empty without any.
+std::string cycles_table(const Json& cycles) {
+  if (cycles["rows"].empty()) return {};
+  std::string text = "| cycle |";
+  std::string rule = "|---|";
+  for (std::size_t i = 0; i < cycles["columns"].size(); ++i) {
+    if (cycles["used"][i] == false) continue;
+    text += fmt::format(" {} |", cycles["columns"][i].get<std::string>());
+    rule += "--:|";
+  }
+  text += "\n" + rule + "\n";
+  for (const Json& row : cycles["rows"]) {
+    text += fmt::format("| {} |", markdown_text(text_of(row, "name")));
+    for (std::size_t i = 0; i < row["cases"].size(); ++i) {
+      if (cycles["used"][i] == true) {
+        text += fmt::format(" {} |", grouped(row["cases"][i].get<std::size_t>()));
+      }
+    }
+    text += "\n";
+  }
+  const std::string others = text_of(cycles, "others");
+  return text + (others.empty() ? "" : "\nNothing judged: " + markdown_text(others) + ".\n") + "\n";
 }
 
 }  // namespace
@@ -66,7 +79,8 @@ std::string totals_table(const Json& totals) {
   for (std::string_view verdict : verdict_names()) {
     const auto found = totals.find(std::string(verdict));
     if (found == totals.end()) continue;
-    text += fmt::format("| {} | {} | {} |\n", verdict, word(decision(*verdict_kind(verdict))),
+    const auto its = static_cast<std::size_t>(decision(*verdict_kind(verdict)));
+    text += fmt::format("| {} | {} | {} |\n", verdict, kDecisionWords[its],
                         grouped(found->get<std::size_t>()));
   }
   return text;
@@ -136,29 +150,6 @@ std::string advice_list(const Json& scope) {
         clause == nullptr ? "" : markdown_text(clause->text) + " ", named_cases(group));
   }
   return text;
-}
-
-std::string cycles_table(const Json& cycles) {
-  if (cycles["rows"].empty()) return {};
-  std::string text = "| cycle |";
-  std::string rule = "|---|";
-  for (std::size_t i = 0; i < cycles["columns"].size(); ++i) {
-    if (cycles["used"][i] == false) continue;
-    text += fmt::format(" {} |", cycles["columns"][i].get<std::string>());
-    rule += "--:|";
-  }
-  text += "\n" + rule + "\n";
-  for (const Json& row : cycles["rows"]) {
-    text += fmt::format("| {} |", markdown_text(text_of(row, "name")));
-    for (std::size_t i = 0; i < row["cases"].size(); ++i) {
-      if (cycles["used"][i] == true) {
-        text += fmt::format(" {} |", grouped(row["cases"][i].get<std::size_t>()));
-      }
-    }
-    text += "\n";
-  }
-  const std::string others = text_of(cycles, "others");
-  return text + (others.empty() ? "" : "\nNothing judged: " + markdown_text(others) + ".\n") + "\n";
 }
 
 std::string named_cases(const Json& group) {
@@ -237,8 +228,7 @@ std::string MarkdownSummary::text(const RunState& state) const {
   return head(state) + "\n" + cycles_table(scope["cycles"]) +
          totals_table(state.summary["totals"]) +
          (followed.empty() ? "" : "\nEverything that passed follows " + followed + ".\n") +
-         list_of_texts(state.footer, "stale", "Stale entries of the subject's own files:") +
-         part(kCoordinatesTitle, coordinates_list(state)) +
+         stale_list(state) + part(kCoordinatesTitle, coordinates_list(state)) +
          part("Declared, but skipped", declared_but_skipped_list(scope)) + findings(state) +
          part(kAdvicesTitle, advice_list(scope)) + part(kNotClaimedTitle, not_claimed_list(scope)) +
          "\n## What this run did not check\n\n" + not_checked_list(state);

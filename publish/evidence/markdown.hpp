@@ -5,10 +5,9 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
-#include "publish/evidence/run_state.hpp"
 #include "oracle/records/finding.hpp"
+#include "publish/evidence/run_state.hpp"
 
 namespace gonogo::oracle::evidence {
 
@@ -32,9 +31,7 @@ class MarkdownSummary {
 
 // | verdict | | cases |
 std::string totals_table(const Json& totals);
-// The cycles with what became of their cases, as of report::scope_json; empty without any.
-std::string cycles_table(const Json& cycles);
-// Lists of the groups of a scope, as of report::scope_json; empty where there are none.
+// Lists of the groups of a scope, as of the summary; empty where there are none.
 std::string not_claimed_list(const Json& scope);
 std::string declared_but_skipped_list(const Json& scope);
 std::string advice_list(const Json& scope);

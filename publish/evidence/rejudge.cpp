@@ -22,9 +22,6 @@ using report::text_of;
 
 namespace {
 
-// As many records as a campaign keeps; a trace of that length may have been cut.
-constexpr std::size_t kKeptRecords = 20'000;
-
 std::optional<Number> number_of(const Json& object, const char* key) {
   const std::string text = text_of(object, key);
   if (text.empty()) return std::nullopt;

@@ -10,6 +10,9 @@ namespace gonogo::oracle::evidence {
 
 using report::text_of;
 
+namespace {
+
+// "acme 3.2", or how it was named.
 std::string subject_title(const Json& header) {
   const Json subject = header.value("subject", Json::object());
   const std::string name = text_of(subject, "name");
@@ -17,6 +20,8 @@ std::string subject_title(const Json& header) {
   if (name.empty()) return text_of(subject, "spec");
   return version.empty() ? name : name + " " + version;
 }
+
+}  // namespace
 
 std::string run_title(const Json& header) {
   const std::string conditions = conditions_of(header).short_text();

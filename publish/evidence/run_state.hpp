@@ -25,10 +25,8 @@ RunState run_state(const report::Summary& summary, const Json& header, const Jso
 // "An entry of the subject's files is stale: known failure ngc.a: no case has this id"
 std::string stale_sentence(const std::string& entry);
 
-// "acme 3.2", or how it was named.
-std::string subject_title(const Json& header);
-// The same with what the certifier granted, and with the part of the corpus: "acme 3.2 (tolerance
-// 1000 mm, shard 1/300)".
+// The subject, with what the certifier granted and with the part of the corpus: "acme 3.2
+// (tolerance 1000 mm, shard 1/300)".
 std::string run_title(const Json& header);
 
 }  // namespace gonogo::oracle::evidence

@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "campaign/encoding.hpp"
-#include "corpus/io/sha256.hpp"
 #include "oracle/records/text.hpp"
+#include "publish/evidence/certificate_files.hpp"
 #include "publish/evidence/run_state.hpp"
 #include "publish/evidence/text.hpp"
 #include "publish/evidence/verdict_meaning.hpp"
@@ -60,9 +60,7 @@ std::string rule_of(const CaseRow& facts) {
 
 // The same finding in two runs has the same: case and rule say what is at fault, numbers may move.
 std::string fingerprint(const CaseRow& facts) {
-  Sha256 hash;
-  hash.update(facts.id + "\n" + rule_of(facts) + "\n");
-  return hash.hex();
+  return sha256_of_text(facts.id + "\n" + rule_of(facts) + "\n");
 }
 
 Json location(const CaseRow& facts) {
@@ -192,34 +190,28 @@ Json SarifWriter::result(const CaseRow& facts, const Finding* finding) {
 void SarifWriter::add(const CaseRow& facts, const Finding* finding) {
   const bool told = facts.decision() == Decision::no_go || facts.kind == VerdictKind::xfail ||
                     facts.kind == VerdictKind::advice || facts.is_unexpected_gap();
-  if (!told) return;
+  if (told) write_result(result(facts, finding));
+}
+
+void SarifWriter::write_result(const Json& result) {
   out_.write(any_ ? ",\n" : "\n");
-  out_.write(dump(result(facts, finding)));
+  out_.write(dump(result));
   any_ = true;
 }
 
 void SarifWriter::add_stale(const std::string& entry) {
-  Sha256 hash;
-  hash.update(entry + "\n" + kStaleRule + "\n");
   Json name = Json::object();
   name["name"] = visible(entry);
   Json place = Json::object();
   place["logicalLocations"] = Json::array({name});
-  out_.write(any_ ? ",\n" : "\n");
-  any_ = true;
-  out_.write(dump({{"ruleId", kStaleRule},
-                   {"ruleIndex", rule_index(kStaleRule)},
-                   {"kind", "fail"},
-                   {"level", "error"},
-                   {"message", text_json(stale_sentence(entry))},
-                   {"locations", Json::array({place})},
-                   {"partialFingerprints", {{"caseAndRule/v1", hash.hex()}}}}));
-}
-
-Json SarifWriter::rules() const {
-  Json list = Json::array();
-  for (const std::string& id : rules_) list.push_back(rule_json(id, address_));
-  return list;
+  const std::string hash = sha256_of_text(entry + "\n" + kStaleRule + "\n");
+  write_result({{"ruleId", kStaleRule},
+                {"ruleIndex", rule_index(kStaleRule)},
+                {"kind", "fail"},
+                {"level", "error"},
+                {"message", text_json(stale_sentence(entry))},
+                {"locations", Json::array({place})},
+                {"partialFingerprints", {{"caseAndRule/v1", hash}}}});
 }
 
 void SarifWriter::finish(const std::string& unfinished) {
@@ -229,7 +221,8 @@ void SarifWriter::finish(const std::string& unfinished) {
   if (const std::string version = text_of(header_, "gonogo"); !version.empty()) {
     driver["version"] = version;
   }
-  driver["rules"] = rules();
+  driver["rules"] = Json::array();
+  for (const std::string& id : rules_) driver["rules"].push_back(rule_json(id, address_));
   Json invocation = {{"executionSuccessful", unfinished.empty()}};
   if (header_.contains("argv")) invocation["arguments"] = header_["argv"];
   if (!unfinished.empty()) {

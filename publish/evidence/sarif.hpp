@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "publish/evidence/case_row.hpp"
 #include "oracle/records/finding.hpp"
 #include "oracle/records/output_file.hpp"
+#include "publish/evidence/case_row.hpp"
 
 namespace gonogo::oracle::evidence {
 
@@ -37,7 +37,7 @@ class SarifWriter {
  private:
   std::size_t rule_index(const std::string& id);
   Json result(const CaseRow& facts, const Finding* finding);
-  Json rules() const;
+  void write_result(const Json& result);
 
   OutputFile out_;
   Json header_;

@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "campaign/encoding.hpp"
 #include "oracle/records/fresh_counts.hpp"
+#include "publish/evidence/counted_ids.hpp"
 #include "publish/evidence/markdown.hpp"
 #include "publish/evidence/run_state.hpp"
 #include "publish/evidence/text.hpp"
@@ -24,45 +25,22 @@ namespace {
 constexpr std::size_t kNamedCases = 20;
 
 // Cases that are known to fail, by reason.
-class Waivers {
- public:
-  explicit Waivers(const std::vector<std::string>& reasons) {
-    for (const std::string& reason : reasons) by_reason_[reason];
+Json waivers_json(const std::map<std::string, CountedIds>& waivers) {
+  Json list = Json::array();
+  for (const auto& [reason, cases] : waivers) {
+    if (cases.count == 0) continue;
+    list.push_back({{"reason", reason}, {"cases", cases.count}, {"first_cases", cases.first}});
   }
-  // False when there is no reason for it.
-  bool add(const CaseRow& row) {
-    const auto own = by_reason_.find(row.known);
-    if (own == by_reason_.end()) return false;
-    Waiver& waiver = own->second;
-    ++waiver.cases;
-    if (waiver.first.size() < kNamedCases) waiver.first.push_back(row.id);
-    return true;
-  }
-  Json json() const {
-    Json list = Json::array();
-    for (const auto& [reason, waiver] : by_reason_) {
-      if (waiver.cases == 0) continue;
-      list.push_back({{"reason", reason}, {"cases", waiver.cases}, {"first_cases", waiver.first}});
-    }
-    return list;
-  }
-
- private:
-  struct Waiver {
-    std::size_t cases = 0;
-    std::vector<std::string> first;
-  };
-  std::map<std::string, Waiver> by_reason_;
-};
+  return list;
+}
 
 // The cases that make a NO-GO, by verdict, with the first of each.
-Json findings_json(const std::map<VerdictKind, std::vector<std::string>>& findings,
-                   const Json& totals) {
+Json findings_json(const std::map<VerdictKind, CountedIds>& findings, const Json& totals) {
   Json list = Json::array();
-  for (const auto& [kind, ids] : findings) {
+  for (const auto& [kind, cases] : findings) {
     list.push_back({{"verdict", name(kind)},
                     {"cases", totals.value(std::string(name(kind)), std::size_t{0})},
-                    {"first_cases", ids}});
+                    {"first_cases", cases.first}});
   }
   return list;
 }
@@ -169,15 +147,12 @@ std::string facts_of_run(const Json& header, const RunState& state) {
   const std::string tolerance = text_of(header, "tolerance");
   put("Tolerance", tolerance.empty() ? "as the subject and the profile declare it"
                                      : markdown_text(tolerance) + " mm, granted by the certifier");
-  const std::string chord = text_of(header, "chord");
-  if (!chord.empty()) put("Chord", markdown_text(chord) + " mm, granted by the certifier");
-  const std::string feeds = text_of(header, "feed_resolution");
-  if (!feeds.empty()) put("Feed resolution", markdown_text(feeds) + ", granted by the certifier");
-  const std::string blend = text_of(header, "blend");
-  if (!blend.empty()) put("Blend", markdown_text(blend) + " mm, granted by the certifier");
-  const std::string percent = text_of(header, "feed_tolerance");
-  if (!percent.empty()) {
-    put("Feed tolerance", markdown_text(percent) + " %, granted by the certifier");
+  for (const auto& [key, title, unit] :
+       {std::tuple("chord", "Chord", " mm"), std::tuple("feed_resolution", "Feed resolution", ""),
+        std::tuple("blend", "Blend", " mm"),
+        std::tuple("feed_tolerance", "Feed tolerance", " %")}) {
+    const std::string granted = text_of(header, key);
+    if (!granted.empty()) put(title, markdown_text(granted) + unit + ", granted by the certifier");
   }
   if (header.value("show_ids", Json(false)) == true) {
     put("Names of cases", "are told to the subject (--show-ids): it may look answers up by them");
@@ -225,8 +200,8 @@ std::string statement_text(const Json& header, const RunState& state, const Json
     text += fmt::format("- {} ({}): {}\n", markdown_text(text_of(waiver, "reason")),
                         waiver["cases"].dump(), named_cases(waiver));
   }
-  for (const Json& stale : state.footer.value("stale", Json::array())) {
-    if (stale.is_string()) text += "- stale: " + markdown_code(stale.get<std::string>()) + "\n";
+  for (const std::string& entry : state.stale) {
+    text += "- stale: " + markdown_code(entry) + "\n";
   }
   text += "\n## What was not checked\n\n" + not_checked_list(state);
   const Json& traces = root["traces"];
@@ -252,21 +227,25 @@ Statement make_statement(const std::string& results, const std::vector<std::stri
                          const std::vector<std::string>& files, const TraceFiles& traces) {
   ResultsReader reader(results);
   report::Summary summary(reader.header());
-  Waivers waivers(reasons);
-  std::map<VerdictKind, std::vector<std::string>> findings;
+  std::map<std::string, CountedIds> waivers;
+  for (const std::string& reason : reasons) waivers[reason];
+  std::map<VerdictKind, CountedIds> findings;
   CaseHead head;
   while (reader.next(head)) {
     summary.add(head);
     const CaseRow row = case_row(head);
-    if (row.kind == VerdictKind::xfail && !waivers.add(row)) {
-      throw ResultsError(fmt::format(
-          "{}: the case {} is known to fail, but the file of known failures that was given does "
-          "not hold its reason.",
-          results, row.id));
+    if (row.kind == VerdictKind::xfail) {
+      const auto waiver = waivers.find(row.known);
+      if (waiver == waivers.end()) {
+        throw ResultsError(fmt::format(
+            "{}: the case {} is known to fail, but the file of known failures that was given does "
+            "not hold its reason.",
+            results, row.id));
+      }
+      waiver->second.add(row.id, kNamedCases);
     }
     if (row.decision() == Decision::no_go || row.is_unexpected_gap()) {
-      std::vector<std::string>& ids = findings[row.kind];
-      if (ids.size() < kNamedCases) ids.push_back(row.id);
+      findings[row.kind].add(row.id, kNamedCases);
     }
   }
   if (!reader.footer()) {
@@ -276,7 +255,7 @@ Statement make_statement(const std::string& results, const std::vector<std::stri
   }
   const RunState state = run_state(summary, reader.header(), &*reader.footer());
   const Json root = statement_json(
-      reader.header(), state, waivers.json(),
+      reader.header(), state, waivers_json(waivers),
       findings_json(findings, state.footer.value("totals", Json::object())), files, traces);
   return {dump(root, 1) + "\n", statement_text(reader.header(), state, root)};
 }

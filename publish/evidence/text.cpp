@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publish/evidence/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "corpus/io/sha256.hpp"
 #include "oracle/records/text.hpp"
+#include "publish/evidence/certificate_files.hpp"
 #include "publish/report/escape.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -38,19 +40,8 @@ std::size_t longest_ticks(std::string_view text) {
 std::string xml_attribute(std::string_view text) {
   std::string out;
   for (char c : report::markup_text(text)) {
-    switch (c) {
-      case '\n':
-        out += "&#10;";
-        break;
-      case '\r':
-        out += "&#13;";
-        break;
-      case '\t':
-        out += "&#9;";
-        break;
-      default:
-        out += c;
-    }
+    const bool is_blank = c == '\n' || c == '\r' || c == '\t';
+    out += is_blank ? fmt::format("&#{};", static_cast<int>(c)) : std::string(1, c);
   }
   return out;
 }
@@ -102,9 +93,7 @@ std::string file_stem(std::string_view id) {
   std::string kept;
   for (char c : id.substr(0, kKept)) kept += is_name_character(c) ? c : '_';
   if (kept.empty() || !is_letter_or_digit(kept.front())) kept.insert(0, "case");
-  Sha256 hash;
-  hash.update(id);
-  return kept + "-" + hash.hex().substr(0, 16);
+  return kept + "-" + sha256_of_text(id).substr(0, 16);
 }
 
 }  // namespace gonogo::oracle::evidence

@@ -3,7 +3,6 @@
 // Texts of a results file, which are not to be trusted, for the formats that they are written in.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 

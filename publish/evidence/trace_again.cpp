@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "publish/evidence/trace_again.hpp"
-
 #include <fmt/format.h>
 
 #include <fstream>
@@ -15,6 +13,8 @@
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/records/input_file.hpp"
 #include "oracle/records/trace_reader.hpp"
+#include "oracle/steps/step_text.hpp"
+#include "publish/evidence/rejudge.hpp"
 #include "publish/evidence/verify_waivers.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -67,7 +67,7 @@ std::string pass_fault(const Json& line, const CaseRow& row, const Verdict& now,
                        const Wording& wording) {
   for (const char* key :
        {"rule", "gap", "departure", "clause", "basis", "reading", "told_under", "b", "record",
-        "word", "want", "got", "deviation", "witness", "feature", "message"}) {
+        "word", "want", "got", "deviation", "witness", "feature", "message", "known"}) {
     if (line.contains(key)) return fmt::format("{}: a pass has no {}.", row.id, key);
   }
   const auto told_census = line.find("coordinates");
@@ -111,6 +111,12 @@ std::string verdict_fault(const Json& line, const CaseRow& row, const SessionVer
     if (!fault.empty()) return fault;
   }
   const auto open = open_readings(now);
+  const Json told_open = line.value("readings", Json::object()).value("open", Json::array());
+  const bool is_open = line.contains("readings");
+  if (wording.has_rules &&
+      (is_open != open.has_value() || told_open != (open ? Json(open->open) : Json::array()))) {
+    return fmt::format("{}: the trace leaves other readings open than the line says.", row.id);
+  }
   const Json explaining = open ? Json(open->explaining) : Json::array();
   const Json was = line.value("readings", Json::object()).value("explaining", Json::array());
   if (was == explaining) return {};
@@ -132,9 +138,12 @@ std::string trace_fault(const Json& line, const CaseRow& row, const std::string&
   // The alarm map is about the end of the trace, the verdict often about less.
   const std::string mapped = report::text_of(line, "mapped");
   const bool needs_end = !mapped.empty() || !alarms.natives().empty();
+  const bool has_trace = decision(row.kind) == Decision::go && line.contains("trace");
+  Json sent = Json::array();
   JudgeSession session(test.profile, test.program, tolerances);
   bool is_open = true;
   const RunEnd end = read_trace(path, [&](const reference::Record& record) {
+    if (has_trace && sent.size() < kKeptRecords) sent.push_back(Json::parse(record_text(record)));
     is_open = is_open && session.record(record);
     return is_open || needs_end;
   });
@@ -143,6 +152,9 @@ std::string trace_fault(const Json& line, const CaseRow& row, const std::string&
   const bool departs =
       decision(now.verdict.kind) != Decision::go && told_kind(line, row) == now.verdict.kind;
   if (fault.empty() && departs) fault = reading_fault(row, path, test, tolerances);
+  if (fault.empty() && has_trace && line["trace"] != sent) {
+    fault = fmt::format("{}: the line has another trace than its file.", row.id);
+  }
   if (!fault.empty() || !needs_end) return fault;
   return mapped_fault(row, mapped, end, alarms);
 }

@@ -17,13 +17,10 @@
 #include "oracle/records/fresh_counts.hpp"
 #include "publish/evidence/certificate_files.hpp"
 #include "publish/evidence/compare.hpp"
-#include "publish/evidence/results_facts.hpp"
 #include "publish/evidence/statement.hpp"
 #include "publish/evidence/text.hpp"
 #include "publish/evidence/verify_cases.hpp"
-#include "publish/evidence/verify_footer.hpp"
-#include "publish/evidence/verify_header.hpp"
-#include "publish/evidence/verify_sums.hpp"
+#include "publish/evidence/verify_parts.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -89,7 +86,7 @@ void check_statement(const fs::path& folder, const ResultsFacts& facts, const Ga
     const Statement own = make_statement(
         (folder / kResultsFile).string(),
         fs::exists(waivers) ? waiver_reasons(waivers.string()) : std::vector<std::string>(),
-        texts_in(json, "files"), trace_files_of(folder));
+        report::texts_of(json, "files"), trace_files_of(folder));
     if (own.json != told) {
       faults.push_back(fmt::format("{} is not what the results state.", kStatementJson));
     }
@@ -244,7 +241,13 @@ std::vector<Check> verify_certificate(const std::string& folder, const std::stri
   Findings findings;
   try {
     check_sums(folder, findings);
-    const ResultsFacts facts = read_results((fs::path(folder) / kResultsFile).string());
+    ResultsFacts facts = read_results((fs::path(folder) / kResultsFile).string());
+    // A file of them may be empty.
+    if (const fs::path waivers = fs::path(folder) / kWaiversFile; fs::exists(waivers)) {
+      const auto entries = known_failures_from_toml(file_text(waivers.string()));
+      const auto* const list = std::get_if<std::vector<KnownFailure>>(&entries);
+      facts.knows_failures = list == nullptr || !list->empty();
+    }
     check_footer(facts, findings);
     const Gauge here{version, commit};
     check_header(facts.header, here, findings);
@@ -262,17 +265,17 @@ std::vector<Check> verify_certificate(const std::string& folder, const std::stri
 std::vector<Check> same_cases(const std::string& certified, const std::string& run_again) {
   Findings findings;
   try {
-    const Comparison comparison = compare_results(certified, run_again);
+    const Comparison comparison = compare_runs({certified, run_again});
     std::vector<std::string> faults;
     for (const ChangedCase& changed : comparison.changed) {
-      faults.push_back(fmt::format("{}: certified {}, now {}.", changed.id, dump(changed.before),
-                                   dump(changed.after)));
+      faults.push_back(fmt::format("{}: certified {}, now {}.", changed.id, dump(changed.runs[0]),
+                                   dump(changed.runs[1])));
     }
-    for (const std::string& id : comparison.first_gone) {
+    for (const std::string& id : comparison.gone.first) {
       if (is_fresh(id)) continue;  // is derived from its line, and only the corpus is run again
       faults.push_back(fmt::format("{} was certified, but was not run again.", id));
     }
-    for (const std::string& id : comparison.first_added) {
+    for (const std::string& id : comparison.added.first) {
       faults.push_back(fmt::format("{} was run again, but stands not in the certificate.", id));
     }
     findings.add_list(

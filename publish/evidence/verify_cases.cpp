@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
+#include <string_view>
+#include <utility>
 
 #include "campaign/case_judge.hpp"
 #include "campaign/encoding.hpp"
 #include "oracle/records/text.hpp"
 #include "publish/evidence/text.hpp"
-#include "publish/evidence/trace_again.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/json_value.hpp"
 
@@ -35,12 +37,46 @@ constexpr std::array<std::string_view, 35> kKeys{
     "feature",     "message",   "known",   "expected", "mapped",  "readings",  "us",
     "attempts",    "profile",   "program", "sampled",  "trace",   "notes",     "told_under"};
 
+constexpr std::array<std::string_view, 5> kKeysOfReadings{"open", "explaining", "verdict", "known",
+                                                          "against"};
+constexpr std::array<std::string_view, 10> kKeysOfSampled{
+    "samples", "tolerance", "noise", "following", "go_from",
+    "worst",   "at",        "b",     "longest",   "unseen"};
+
+// A key of the object that is none of these; empty: there is none.
+std::string surplus_key(const Json& object, std::span<const std::string_view> keys) {
+  if (!object.is_object()) return {};
+  for (const auto& [key, value] : object.items()) {
+    if (std::ranges::find(keys, key) == keys.end()) return key;
+  }
+  return {};
+}
+
+// What of a line is surplus, though another line may have it.
+std::string surplus_word(const Json& line, const CaseRow& row, bool is_recorded, bool is_shard) {
+  if (!is_recorded && line.contains("sampled")) return "sampled";
+  const bool goes_wrong = decision(kind_before(line)) != Decision::go;
+  for (const char* key : {"coordinates", "property_motions", "readings"}) {
+    if (goes_wrong && line.contains(key)) return key;
+  }
+  // The readings of the other shards may make it a failure.
+  const bool may_fail = is_shard && line.contains("readings");
+  for (const char* key : {"program", "trace"}) {
+    if (row.decision() == Decision::go && !may_fail && line.contains(key)) return key;
+  }
+  return {};
+}
+
 // Why no run has written the line so; empty: one may have.
 std::string form_fault(const Json& line, const std::string& id) {
-  for (const auto& [key, value] : line.items()) {
-    if (std::ranges::find(kKeys, key) == kKeys.end()) {
-      return fmt::format("{}: a line has no key {}.", id, key);
-    }
+  if (const std::string key = surplus_key(line, kKeys); !key.empty()) {
+    return fmt::format("{}: a line has no key {}.", id, key);
+  }
+  using Keys = std::span<const std::string_view>;
+  for (const auto& [object, keys] :
+       {std::pair("readings", Keys(kKeysOfReadings)), std::pair("sampled", Keys(kKeysOfSampled))}) {
+    const std::string key = surplus_key(line.value(object, Json()), keys);
+    if (!key.empty()) return fmt::format("{}: {} has no key {}.", id, object, key);
   }
   const auto is_count = [&](const char* key, std::int64_t least) {
     const auto value = line.find(key);
@@ -73,6 +109,7 @@ VerdictsAgain::VerdictsAgain(const Json& header, std::string traces,
                              std::vector<KnownFailure> waivers, std::vector<AlarmMap::Entry> alarms,
                              bool is_own)
     : is_format_2_(report::count_of(header, "format") == 2),
+      is_shard_(text_of(header, "shard") != "1/1"),
       tolerances_(run_tolerances(header)),
       traces_(std::move(traces)),
       waivers_(std::move(waivers)),
@@ -100,18 +137,14 @@ void VerdictsAgain::take(const Json& line, const Case* test) {
   }
 }
 
-// From the trace or the line of a case.
-Wording VerdictsAgain::wording_of(const CaseRow& row) const {
-  Wording wording = wording_;
-  wording.additions = waivers_.additions(row);
-  wording.additions.emplace_back(kNoAnswerAgain);
-  return wording;
-}
-
 VerdictsAgain::Answer VerdictsAgain::answer_of(const Json& line, const CaseRow& row,
                                                const Case* test) {
   if (std::string fault = is_format_2_ ? form_fault(line, row.id) : ""; !fault.empty()) {
     return {fault};
+  }
+  if (const std::string word = surplus_word(line, row, tolerances_.subject.recorded, is_shard_);
+      is_format_2_ && !word.empty()) {
+    return {fmt::format("{}: {} has no {}.", row.id, row.verdict(), word)};
   }
   if (std::string fault = waivers_.fault(line, row, wording_.is_own); !fault.empty()) {
     return {fault};
@@ -128,7 +161,9 @@ VerdictsAgain::Answer VerdictsAgain::answer_of(const Json& line, const CaseRow& 
     run_.try_emplace(test->dialect + dump(line.value("profile", Json::object())), row.id);
   }
   if (std::string why = why_no_trace_tells(told_kind(line, row)); !why.empty()) return {{}, why};
-  Wording wording = wording_of(row);
+  Wording wording = wording_;
+  wording.additions = waivers_.additions(row);
+  wording.additions.emplace_back(kNoAnswerAgain);
   if (test != nullptr && fs::exists(path_of(row.id))) {
     Answer answer = of_trace(line, row, *test, wording);
     if (!answer.fault.empty() || !answer.not_derived.empty()) return answer;

@@ -11,7 +11,7 @@
 #include "campaign/known_failures.hpp"
 #include "corpus/io/corpus.hpp"
 #include "publish/evidence/rejudge.hpp"
-#include "publish/evidence/verify_sums.hpp"
+#include "publish/evidence/verify_parts.hpp"
 #include "publish/evidence/verify_waivers.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -38,10 +38,10 @@ class VerdictsAgain {
   Answer of_skip(const Json& line, const CaseRow& row, const Case& test);
   Answer of_trace(const Json& line, const CaseRow& row, const Case& test,
                   const Wording& wording) const;
-  Wording wording_of(const CaseRow& row) const;
   std::string path_of(const std::string& id) const;
 
   bool is_format_2_;
+  bool is_shard_;
   RunTolerances tolerances_;
   std::string traces_;
   Wording wording_;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "publish/evidence/verify_header.hpp"
+#include "publish/evidence/verify_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "campaign/encoding.hpp"
+#include "campaign/results_shape.hpp"
 #include "publish/report/case_paths.hpp"
 #include "publish/report/command.hpp"
 #include "publish/report/json_value.hpp"
@@ -15,30 +17,14 @@
 namespace gonogo::oracle::evidence {
 namespace {
 
+using report::header_key;
 using report::option_values;
 using report::text_of;
 
-// Options that come to a list of the selection.
-struct ListOption {
-  const char* option;
-  const char* key;
-};
-constexpr std::array<ListOption, 5> kLists = {{{"--dialect", "dialects"},
-                                               {"--only", "only"},
-                                               {"--case", "cases"},
-                                               {"--cycle", "cycles"},
-                                               {"--clause", "clauses"}}};
-// Options that come to a number or a file of the header.
-constexpr std::array<const char*, 5> kNumbers = {"--tolerance", "--chord", "--feed-resolution",
-                                                 "--blend", "--feed-tolerance"};
 constexpr std::array<const char*, 2> kFlags = {"--strict", "--show-ids"};
+// shard, seed, argv, fresh
+constexpr std::size_t kKeysOfShard = 4;
 constexpr std::array<const char*, 2> kFiles = {"--known-failures", "--alarm-map"};
-
-std::string key_of(std::string_view option) {
-  std::string key(option.substr(2));
-  std::ranges::replace(key, '-', '_');
-  return key;
-}
 
 bool is_same_number(const std::vector<std::string>& asked, const std::string& told) {
   if (asked.empty() || told.empty()) return asked.empty() && told.empty();
@@ -53,14 +39,16 @@ class HeaderCheck {
       : header_(header), argv_(header.value("argv", Json::array())) {}
 
   std::vector<std::string> run() {
-    if (argv_.empty() || argv_.front() != "certify") return {};
+    if (argv_.empty() || (argv_.front() != "certify" && argv_.front() != "ci")) {
+      return {"The header names no command line that runs a campaign."};
+    }
     check_lists();
-    for (const char* option : kNumbers) {
-      const std::string told = text_of(header_, key_of(option).c_str());
+    for (const std::string_view option : report::kNumberOptions) {
+      const std::string told = text_of(header_, header_key(option).c_str());
       need(option, is_same_number(option_values(argv_, option), told), Json(told));
     }
     for (const char* option : kFiles) {
-      const std::string told = text_of(header_, key_of(option).c_str());
+      const std::string told = text_of(header_, header_key(option).c_str());
       need(option, option_values(argv_, option).empty() == told.empty(), Json(told));
     }
     check_rest();
@@ -87,18 +75,21 @@ class HeaderCheck {
 
   // A run of the cases that failed before adds them, one without a subject names its dialects.
   void check_lists() {
-    if (!option_values(argv_, "--failed-of").empty()) return;
+    const bool adds_cases = !option_values(argv_, "--failed-of").empty();
     const Json selection = header_.value("selection", Json::object());
-    for (const ListOption& list : kLists) {
-      std::vector<std::string> told = selection.value(list.key, std::vector<std::string>());
-      if (const std::string one = text_of(selection, "case");
-          !one.empty() && list.key == std::string_view("cases")) {
+    for (const auto& [option, key] : report::kSelectionOptions) {
+      std::vector<std::string> told = selection.value(key, std::vector<std::string>());
+      if (const std::string one = text_of(selection, "case"); !one.empty() && option == "--case") {
         told = {one};
       }
-      const std::vector<std::string> asked = option_values(argv_, list.option);
-      const bool narrows = list.key == std::string_view("dialects") && asked.empty() &&
+      const std::vector<std::string> asked = option_values(argv_, option);
+      const bool narrows = option == "--dialect" && asked.empty() &&
                            (option_values(argv_, "--subject").empty() || are_declared(told));
-      need(list.option, asked == told || narrows, Json(told));
+      const bool adds = adds_cases && option == "--case";
+      const bool are_asked =
+          adds ? told.size() > asked.size() && std::equal(asked.begin(), asked.end(), told.begin())
+               : asked == told;
+      need(option, are_asked || narrows, Json(told));
     }
   }
 
@@ -112,7 +103,7 @@ class HeaderCheck {
     const Json drawn = header_.value("seed", Json(0));
     need("--seed", seed.empty() || is_same_number({seed.back()}, dump(drawn)), drawn);
     for (const char* option : kFlags) {
-      const Json flag = header_.value(key_of(option), Json(false));
+      const Json flag = header_.value(header_key(option), Json(false));
       need(option, report::is_flag_set(argv_, option) == (flag == true), flag);
     }
     const std::vector<std::string> sandbox = option_values(argv_, "--sandbox");
@@ -137,11 +128,50 @@ class HeaderCheck {
   std::vector<std::string> faults_;
 };
 
+// What all shards have in common is held against the command line of each.
+void check_shards(const Json& header, const Json& shards, std::vector<std::string>& faults) {
+  const auto seed_of = [](const Json& one) { return one.value("seed", Json(0)); };
+  const bool is_common = std::ranges::all_of(
+      shards, [&](const Json& shard) { return seed_of(shard) == seed_of(shards.front()); });
+  const Json seed = is_common && !shards.empty() ? seed_of(shards.front()) : Json(0);
+  if (text_of(header, "shard") != "1/1" || seed_of(header) != seed) {
+    faults.emplace_back("A merged run is shard 1/1, and has the seed of all its shards, else 0.");
+  }
+  for (std::size_t i = 0; i < shards.size(); ++i) {
+    Json of_shard = header;
+    for (const char* key : {"shard", "seed", "argv"}) of_shard[key] = shards[i].value(key, Json());
+    const std::string told = text_of(of_shard, "shard");
+    const std::string due = fmt::format("{}/{}", i + 1, shards.size());
+    if (told != due) {
+      faults.push_back(fmt::format("The header has shard {} in the place of {}.", told, due));
+    }
+    if (shards[i].size() > kKeysOfShard) {
+      faults.push_back(fmt::format("Shard {} has more than {} keys.", told, kKeysOfShard));
+    }
+    for (const std::string& fault : HeaderCheck(of_shard).run()) {
+      faults.push_back(fmt::format("Shard {}: {}", told, fault));
+    }
+  }
+}
+
 }  // namespace
 
 // J-RUN-13.
 std::vector<std::string> header_faults(const Json& header) {
-  return HeaderCheck(header).run();
+  const Json argv = header.value("argv", Json::array());
+  const bool is_merged = !argv.empty() && argv.front() == "merge";
+  const Json shards = header.value("shards", Json::array());
+  std::vector<std::string> faults;
+  if (!is_merged) faults = HeaderCheck(header).run();
+  if (const std::string place = header_surplus(header); !place.empty()) {
+    faults.push_back(fmt::format("A header has no {}.", place));
+  }
+  if (is_merged == shards.empty()) {
+    faults.emplace_back(is_merged ? "The header of a merged run does not name its shards."
+                                  : "The header names shards, and its command line merges none.");
+  }
+  if (is_merged) check_shards(header, shards, faults);
+  return faults;
 }
 
 }  // namespace gonogo::oracle::evidence

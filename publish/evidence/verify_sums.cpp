@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "publish/evidence/verify_sums.hpp"
+#include "publish/evidence/verify_parts.hpp"
 
 #include <fmt/format.h>
 

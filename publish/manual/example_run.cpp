@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "publish/manual/motion_text.hpp"
-#include "publish/report/limits.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle::manual {

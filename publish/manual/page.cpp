@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 
 #include "publish/manual/page_parts.hpp"
@@ -76,27 +75,20 @@ void append_head(PageDraft& page, const std::vector<Section>& sections) {
   page.text += fmt::format(
       "# Dialect {0}\n\n"
       "Written by `gonogo spec --dialect {0} --format markdown --out docs/dialects`; a test "
-      "compares "
-      "this page with what the program says, so change the catalog, not the page.\n\n"
+      "compares this page with what the program says, so change the catalog, not the page.\n\n"
       "**Texts**: {2}.\n\n"
       "**At power-on**: {3}.\n\n"
       "**Clauses** are what the manual says, one thing each: `must` stands in the text, `derived` "
       "follows from it, `open` is left open by it and decided here. The **basis** is what a "
       "departure departs from: `text`, the section above the table; `derived`, with its "
-      "derivation; "
-      "`silent`, no text but our judgement, from which a departure is an advice and no NO-GO. "
-      "**Readings** are the choices "
-      "that "
-      "remain where a manual is open or contradicts itself: choose one with `--reading name=value` "
-      "or in "
-      "the profile, or say `any`. **Drawings** are made by the program from the example above "
-      "them: the "
-      "numbers in a drawing are those of the table below it; it begins where the first positioning "
-      "ends. Where two readings part, the broad "
-      "blue path "
-      "is the first and the fine red path the other; where only one of the two is seen, they "
-      "differ.{1} **Try it** opens the program in the playground, which `playground/build` "
-      "makes.\n\n",
+      "derivation; `silent`, no text but our judgement, from which a departure is an advice and no "
+      "NO-GO. **Readings** are the choices that remain where a manual is open or contradicts "
+      "itself: choose one with `--reading name=value` or in the profile, or say `any`. "
+      "**Drawings** are made by the program from the example above them: the numbers in a drawing "
+      "are those of the table below it; it begins where the first positioning ends. Where two "
+      "readings part, the broad blue path is the first and the fine red path the other; where only "
+      "one of the two is seen, they differ.{1} **Try it** opens the program in the playground, "
+      "which `playground/build` makes.\n\n",
       page.dialect,
       page.lathe ? " X is a diameter in a program and a radius in drawings and motions." : "",
       reference::editions_of(page.dialect), reference::power_on_text(page.dialect));

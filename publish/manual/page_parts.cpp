@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "publish/manual/example_run.hpp"
+#include "publish/report/escape.hpp"
 
 namespace gonogo::oracle::manual {
 namespace {
@@ -55,24 +56,13 @@ void append_figure(PageDraft& page, std::string_view key, const report::Figure& 
   page.drawings.push_back({file, std::move(svg)});
 }
 
-// A text as a value behind the '#' of an address.
-std::string address_text(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = byte < 0x80 && (std::isalnum(byte) != 0 || c == '-' || c == '.' || c == '_');
-    out += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
-  }
-  return out;
-}
-
 // The program in the playground, as playground/page/playground.js reads it.
 std::string playground_link(std::string_view dialect, std::string_view program,
                             std::string_view profile) {
   std::string link =
       fmt::format("[try it](../../build/playground/page/index.html#dialect={}&program={}", dialect,
-                  address_text(program));
-  if (!profile.empty()) link += "&profile=" + address_text(profile);
+                  report::address_text(program));
+  if (!profile.empty()) link += "&profile=" + report::address_text(profile);
   return link + ")";
 }
 
@@ -131,8 +121,10 @@ std::string departure(const ExampleRun& base, const ExampleRun& other) {
   return "the same motions";
 }
 
+// First the default, or where that is `any` the value that `expand` shows.
 std::vector<std::string> values_of(const Reading& reading, const ReadingExample& example) {
-  std::vector<std::string> values = {std::string(first_value(reading))};
+  std::vector<std::string> values = {
+      std::string(reading.fallback == "any" ? reading.alternatives.front() : reading.fallback)};
   for (const std::string_view value : reading.alternatives) {
     if (value != values.front()) values.emplace_back(value);
   }
@@ -167,15 +159,7 @@ std::string code_lines(std::string_view text) {
   return out;
 }
 
-std::string value_name(const Reading& reading, std::string_view value) {
-  return fmt::format("{} = {}", reading.name, value);
-}
-
 }  // namespace
-
-std::string_view first_value(const Reading& reading) {
-  return reading.fallback == "any" ? reading.alternatives.front() : reading.fallback;
-}
 
 void append_clauses(PageDraft& page, std::span<const reference::Clause* const> clauses) {
   page.text += "| clause | level | basis | what it says | carried by |\n|---|---|---|---|---|\n";
@@ -237,7 +221,7 @@ void append_reading(PageDraft& page, const Reading& reading, const ReadingExampl
   figure.lathe = page.lathe;
   figure.path = &trials.front().path;
   figure.limits = limits;
-  figure.path_name = value_name(reading, values.front());
+  figure.path_name = fmt::format("{} = {}", reading.name, values.front());
   figure.title = figure.path_name;
   if (values.size() == 1) append_figure(page, reading.name, figure);
   for (std::size_t i = 1; i < values.size(); ++i) {

@@ -32,8 +32,4 @@ void append_alarms(PageDraft& page, const std::vector<const AlarmExample*>& alar
 void append_codes(PageDraft& page, const reference::Dialect& dialect);
 void append_outside(PageDraft& page, const reference::Dialect& dialect);
 
-// The value under which a reading's example is drawn first: the default, or where that is `any` the
-// one that `expand` shows.
-std::string_view first_value(const reference::Reading& reading);
-
 }  // namespace gonogo::oracle::manual

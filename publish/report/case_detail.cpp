@@ -2,8 +2,7 @@
 #include "publish/report/case_detail.hpp"
 
 #include "oracle/records/finding_text.hpp"
-#include "publish/report/case_times.hpp"
-#include "publish/report/escape.hpp"
+#include "oracle/records/text.hpp"
 #include "publish/report/json_value.hpp"
 #include "publish/report/page_paths.hpp"
 #include "publish/report/sheet.hpp"
@@ -14,11 +13,12 @@ namespace {
 constexpr std::size_t kStepsOfTurn = 32;  // of a failure in space
 constexpr std::size_t kStepsOfPass = 16;
 
-Json motions_json(const Path& path) {
+// Kind, block, and the text, which has the clause of a record of the reference, or the clause
+// alone.
+Json motions_json(const Path& path, std::string Motion::*told) {
   Json motions = Json::array();
   for (const Motion& motion : path.motions) {
-    // Records of the reference carry their clause in the text; alarms too.
-    motions.push_back(Json::array({motion.kind, motion.block, motion.text}));
+    motions.push_back(Json::array({motion.kind, motion.block, motion.*told}));
   }
   return motions;
 }
@@ -97,8 +97,8 @@ void add_paths(Json& detail, const Json& line, const std::string& program,
                      {"s", moves_json(subject.path, kStepsOfTurn)}};
   if (!sheet.limits.empty()) detail["limits"] = limits_json(sheet.limits);
   if (sheet.witness) detail["at"] = {sheet.witness->x, sheet.witness->y, sheet.witness->z};
-  detail["reference"] = motions_json(reference.path);
-  detail["trace"] = motions_json(subject.path);
+  detail["reference"] = motions_json(reference.path, &Motion::text);
+  detail["trace"] = motions_json(subject.path, &Motion::text);
   if (wanted) detail["wanted"] = *wanted;
   if (!line.contains("sampled")) {
     Json times = case_times(machine, program, line.value("trace", Json::array()),
@@ -122,7 +122,7 @@ std::optional<std::string> program_bytes(const Json& line) {
     if (text.empty() && text_of(line, "verdict") == "fail.reading") return std::nullopt;
     return text;
   }
-  return from_base64(text_of(*program, "base64"));
+  return decode_base64(text_of(*program, "base64"));
 }
 
 Json pass_detail(const CorpusCase& test) {
@@ -137,11 +137,7 @@ Json pass_detail(const CorpusCase& test) {
   if (auto limits = limits_of_program(*machine, *program); !limits.empty()) {
     detail["limits"] = limits_json(limits);
   }
-  Json motions = Json::array();
-  for (const Motion& motion : reference.path.motions) {
-    motions.push_back(Json::array({motion.kind, motion.block, motion.clause}));
-  }
-  detail["motions"] = motions;
+  detail["motions"] = motions_json(reference.path, &Motion::clause);
   return detail;
 }
 

@@ -7,7 +7,6 @@
 
 #include "campaign/encoding.hpp"
 #include "oracle/records/trace_reader.hpp"
-#include "publish/report/limits.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle::report {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "publish/report/case_times.hpp"
-
 #include <exception>
 
 #include "campaign/encoding.hpp"
-#include "oracle/judge/time_rows.hpp"
+#include "oracle/judge/cycle_time.hpp"
 #include "oracle/records/trace_reader.hpp"
+#include "publish/report/case_detail.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle::report {

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <utility>
 
 #include "oracle/records/fresh_counts.hpp"
 #include "oracle/records/text.hpp"
@@ -24,16 +23,6 @@ constexpr std::array<std::string_view, 17> kKept = {
     "--corpus",    "--profile", "--reading",        "--tolerance", "--chord",   "--feed-resolution",
     "--blend",     "--columns", "--feed-tolerance", "--manifest",  "--timeout", "--memory",
     "--alarm-map", "--env",     "--known-failures", "--sandbox",   "--bind"};
-// Those of them that the header holds as well.
-constexpr std::array<std::string_view, 5> kNumbers = {"--tolerance", "--chord", "--feed-resolution",
-                                                      "--blend", "--feed-tolerance"};
-// Which cases were asked for, as the header has it.
-constexpr std::array<std::pair<std::string_view, const char*>, 5> kSelected = {
-    {{"--dialect", "dialects"},
-     {"--only", "only"},
-     {"--case", "cases"},
-     {"--cycle", "cycles"},
-     {"--clause", "clauses"}}};
 
 }  // namespace
 
@@ -50,6 +39,12 @@ std::vector<std::string> option_values(const Json& argv, std::string_view option
     }
   }
   return values;
+}
+
+std::string header_key(std::string_view option) {
+  std::string key(option.substr(2));
+  std::ranges::replace(key, '-', '_');
+  return key;
 }
 
 bool is_flag_set(const Json& argv, std::string_view option) {
@@ -161,15 +156,11 @@ std::string command_begin(const Json& header, CaseOf of) {
     for (const std::string& value : values) add(option, value);
     // Merged results may not name the command lines of their shards; the header still says these.
     if (!values.empty()) continue;
-    if (option == "--reading" && header.contains("readings")) {
-      for (const Json& reading : header["readings"]) {
-        if (reading.is_string()) add(option, reading.get<std::string>());
-      }
+    if (option == "--reading") {
+      for (const std::string& reading : texts_of(header, "readings")) add(option, reading);
     }
-    if (std::ranges::find(kNumbers, option) != kNumbers.end()) {
-      std::string key(option.substr(2));
-      std::ranges::replace(key, '-', '_');
-      const std::string value = text_of(header, key.c_str());
+    if (std::ranges::find(kNumberOptions, option) != kNumberOptions.end()) {
+      const std::string value = text_of(header, header_key(option).c_str());
       if (!value.empty()) add(option, value);
     }
   }
@@ -190,7 +181,7 @@ std::string command_for_run(const Json& header) {
   const auto add = [&](std::string_view option, const std::string& value) {
     command += fmt::format(" {} {}", option, shell_quoted(value));
   };
-  for (const auto& [option, key] : kSelected) {
+  for (const auto& [option, key] : kSelectionOptions) {
     for (const std::string& value : texts_of(selection, key)) add(option, value);
   }
   if (const std::string one = text_of(selection, "case"); !one.empty()) add("--case", one);

@@ -3,9 +3,11 @@
 // The command line that runs one case of a results file again.
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gonogo::oracle::report {
@@ -14,6 +16,19 @@ using Json = nlohmann::ordered_json;
 
 // The values that an option has on a command line, given as two words or with '='.
 std::vector<std::string> option_values(const Json& argv, std::string_view option);
+
+// The options that come to a list of the header's selection, with its key.
+inline constexpr std::array<std::pair<std::string_view, const char*>, 5> kSelectionOptions = {
+    {{"--dialect", "dialects"},
+     {"--only", "only"},
+     {"--case", "cases"},
+     {"--cycle", "cycles"},
+     {"--clause", "clauses"}}};
+// Those that come to a number of the header.
+inline constexpr std::array<std::string_view, 5> kNumberOptions = {
+    "--tolerance", "--chord", "--feed-resolution", "--blend", "--feed-tolerance"};
+// "feed_resolution" of --feed-resolution.
+std::string header_key(std::string_view option);
 
 // Whether a command line sets a flag; its last mention counts: `--strict`, also `--strict=true`.
 bool is_flag_set(const Json& argv, std::string_view option);

@@ -8,30 +8,9 @@
 namespace gonogo::oracle::report {
 namespace {
 
-using reference::Axis;
-
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kSamePoint = 1e-9;  // mm
 
-double& coordinate(Point3& point, Axis axis) {
-  return axis == Axis::x ? point.x : axis == Axis::y ? point.y : point.z;
-}
-double coordinate(const Point3& point, Axis axis) {
-  return axis == Axis::x ? point.x : axis == Axis::y ? point.y : point.z;
-}
-
-Point3 operator+(const Point3& a, const Point3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Point3 operator-(const Point3& a, const Point3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Point3 operator*(double k, const Point3& a) {
-  return {k * a.x, k * a.y, k * a.z};
-}
-double dot(const Point3& a, const Point3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 Point3 cross(const Point3& a, const Point3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -56,10 +35,10 @@ double sweep_of(double from, double to, bool same_point, int rot) {
 std::vector<Point3> sample_arc(const Point3& from, const Point3& to, const ArcShape& shape,
                                std::size_t max_segments) {
   const auto [p, q, d] = reference::axes_of(shape.plane);
-  const double p0 = coordinate(from, p) - shape.centre[0];
-  const double q0 = coordinate(from, q) - shape.centre[1];
-  const double p1 = coordinate(to, p) - shape.centre[0];
-  const double q1 = coordinate(to, q) - shape.centre[1];
+  const double p0 = from[p] - shape.centre[0];
+  const double q0 = from[q] - shape.centre[1];
+  const double p1 = to[p] - shape.centre[0];
+  const double q1 = to[q] - shape.centre[1];
   const double r0 = std::hypot(p0, q0);
   const double r1 = std::hypot(p1, q1);
   if (shape.rot == 0) return {from, to};
@@ -76,8 +55,8 @@ std::vector<Point3> sample_arc(const Point3& from, const Point3& to, const ArcSh
     const double share = static_cast<double>(i) / static_cast<double>(steps);
     const double radius = r0 + (r1 - r0) * share;
     Point3 point = from + share * (to - from);
-    coordinate(point, p) = shape.centre[0] + radius * std::cos(a0 + sweep * share);
-    coordinate(point, q) = shape.centre[1] + radius * std::sin(a0 + sweep * share);
+    point[p] = shape.centre[0] + radius * std::cos(a0 + sweep * share);
+    point[q] = shape.centre[1] + radius * std::sin(a0 + sweep * share);
     points.push_back(point);
   }
   points.push_back(to);

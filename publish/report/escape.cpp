@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publish/report/escape.hpp"
 
-#include "oracle/records/text.hpp"
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
-constexpr std::string_view kBase64 =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+struct Entity {
+  char character;
+  std::string_view name;
+};
+constexpr std::array<Entity, 5> kEntities = {
+    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
 
 bool continues(std::string_view text, std::size_t at) {
   return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
@@ -50,24 +58,11 @@ std::string markup_text(std::string_view bytes) {
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t size = character_size(text, i);
-    switch (size == 1 ? text[i] : '\0') {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += size == 0 ? kReplacement : std::string_view(text).substr(i, size);
+    const auto* const entity = std::ranges::find(kEntities, text[i], &Entity::character);
+    if (entity != kEntities.end()) {
+      out += entity->name;
+    } else {
+      out += size == 0 ? kReplacement : std::string_view(text).substr(i, size);
     }
     i += size == 0 ? 1 : size;
   }
@@ -78,19 +73,21 @@ std::string script_json(std::string_view json) {
   std::string out;
   out.reserve(json.size());
   for (char c : json) {
-    switch (c) {
-      case '<':
-        out += "\\u003c";
-        break;
-      case '>':
-        out += "\\u003e";
-        break;
-      case '&':
-        out += "\\u0026";
-        break;
-      default:
-        out += c;
+    if (c == '<' || c == '>' || c == '&') {
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      out += c;
     }
+  }
+  return out;
+}
+
+std::string address_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                       c == '-' || c == '.' || c == '_';
+    out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return out;
 }
@@ -105,42 +102,12 @@ std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text);
 }
 
-std::optional<std::string> from_base64(std::string_view text) {
-  if (text.size() % 4 != 0) return std::nullopt;
-  std::size_t padding = 0;
-  while (padding < 2 && !text.empty() && text.back() == '=') {
-    text.remove_suffix(1);
-    ++padding;
-  }
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int held = 0;
-  for (char c : text) {
-    const std::size_t value = kBase64.find(c);
-    if (value == std::string_view::npos) return std::nullopt;
-    bits = bits << 6U | static_cast<std::uint32_t>(value);
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(bits >> static_cast<unsigned>(held) & 0xFFU);
-  }
-  return bytes;
-}
-
 std::string base64_of_hex(std::string_view hex) {
-  std::string out;
-  std::uint32_t bits = 0;
-  unsigned held = 0;
-  for (char digit : hex) {
-    bits = bits << 4U | hex_digit(digit);
-    held += 4;
-    if (held < 6) continue;
-    held -= 6;
-    out += kBase64[bits >> held & 0x3FU];
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
+    bytes += static_cast<char>(hex_digit(hex[i]) << 4U | hex_digit(hex[i + 1]));
   }
-  if (held > 0) out += kBase64[bits << (6 - held) & 0x3FU];
-  while (out.size() % 4 != 0) out += '=';
-  return out;
+  return base64(bytes);
 }
 
 }  // namespace gonogo::oracle::report

@@ -4,7 +4,6 @@
 // out of here as text.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,12 +16,13 @@ std::string markup_text(std::string_view bytes);
 // Makes a JSON text safe inside <script>: no '<', '>' or '&' remains.
 std::string script_json(std::string_view json);
 
+// A value in an address, behind its '#': what is no plain character in percents.
+std::string address_text(std::string_view text);
+
 // The first `most` characters, with an ellipsis when some are left out.
 std::string shortened(std::string_view text, std::size_t most);
 
-// RFC 4648 with padding. Nothing when it is not that.
-std::optional<std::string> from_base64(std::string_view text);
-// For bytes that are given as hexadecimal digits.
+// Base64 of bytes that are given as hexadecimal digits.
 std::string base64_of_hex(std::string_view hex);
 
 }  // namespace gonogo::oracle::report

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "publish/report/escape.hpp"
-#include "publish/report/figure_numbers.hpp"
-#include "publish/report/figure_spread.hpp"
+#include "publish/report/figure_parts.hpp"
 #include "publish/report/sheet_parts.hpp"
 #include "publish/report/sheet_paths.hpp"
 #include "publish/report/svg.hpp"
@@ -32,10 +30,6 @@ constexpr std::string_view kFigureStyle = R"css(<style>
 .gs-figure .gs-reach{stroke:var(--gs-limit,#3f7f3f);stroke-width:1.3;stroke-dasharray:10 3 2 3}
 </style>
 )css";
-
-std::string_view style_of(Limit::Kind kind) {
-  return kind == Limit::Kind::border ? "gs-border-line" : "gs-reach";
-}
 
 bool has(const Path* path, std::string_view style) {
   return path != nullptr && std::ranges::any_of(path->motions, [style](const Motion& motion) {
@@ -128,26 +122,17 @@ Extent extent_of(const Figure& figure) {
 double height_for(const Layout& layout, const Extent& extent) {
   if (layout.views.size() > 1) return kManyViews;
   const View& view = layout.views.front();
-  const Point3 span{extent.high.x - extent.low.x, extent.high.y - extent.low.y,
-                    extent.high.z - extent.low.z};
+  const Point3 span = extent.span();
   const double right = std::fabs(view.right.of(span));
   const double up = std::fabs(view.up.of(span));
   const double wanted = right > 0 ? up / right * view.field.width : kManyViews;
   return std::clamp(wanted, 150.0, 420.0) + 70;
 }
 
-void append_limits(std::string& out, const View& view, const std::vector<Limit>& limits) {
-  for (const Limit& limit : limits) {
-    std::string d;
-    svg::append_subpath(d, view, limit.points);
-    out += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", style_of(limit.kind), d);
-  }
-}
-
 void append_view(std::string& out, const View& view, const Figure& figure) {
   out += fmt::format("<g data-view=\"{}\">\n", view.key);
   append_view_frame(out, view);
-  append_limits(out, view, figure.limits);
+  for (const Limit& limit : figure.limits) append_limit(out, view, limit);
   append_path(out, view, *figure.path, 'r');
   if (figure.other != nullptr) append_path(out, view, *figure.other, 's');
   for (const Path* path : {figure.path, figure.other}) {
@@ -159,9 +144,8 @@ void append_view(std::string& out, const View& view, const Figure& figure) {
 }
 
 bool still(const Extent& extent) {
-  return extent.empty() ||
-         (extent.high.x - extent.low.x < kStill && extent.high.y - extent.low.y < kStill &&
-          extent.high.z - extent.low.z < kStill);
+  const Point3 span = extent.span();
+  return extent.empty() || (span.x < kStill && span.y < kStill && span.z < kStill);
 }
 
 std::string draw(const Figure& figure, const Extent& extent, char spread_axis) {
@@ -171,15 +155,9 @@ std::string draw(const Figure& figure, const Extent& extent, char spread_axis) {
   for (View& view : layout.views) view.spread_axis = spread_axis;
   const double rule = area.y + area.height + 6;
   const Legend legend = legend_of(figure, rule + 4);
-  const std::string height = svg::number(legend.bottom() + kEdge);
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"gs-sheet gs-figure\" viewBox=\"0 0 {0} "
-      "{1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n",
-      svg::number(kWidth), height, markup_text("Drawing of " + shortened(figure.title, 80)));
-  out += sheet_style();
-  out += kFigureStyle;
-  out += fmt::format("<rect class=\"gs-paper\" x=\"0\" y=\"0\" width=\"{}\" height=\"{}\"/>\n",
-                     svg::number(kWidth), height);
+  std::string out;
+  append_drawing_head(out, "gs-sheet gs-figure", {kWidth, legend.bottom() + kEdge}, figure.title,
+                      kFigureStyle);
   for (const View& view : layout.views) append_view(out, view, figure);
   if (figure.other == nullptr) append_numbers(out, layout.views.back(), *figure.path);
   out += fmt::format("<path class=\"gs-rule\" d=\"M{} {}H{}\"/>\n{}", svg::number(kEdge),

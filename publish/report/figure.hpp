@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "publish/report/path.hpp"
+#include "reference/outcome.hpp"
 
 namespace gonogo::oracle::report {
 
@@ -32,6 +33,8 @@ struct Limit {
   std::vector<Point3> points;
   std::optional<PocketFloor> level = std::nullopt;  // of the border of a pocket
 };
+// What a manual fixes where it leaves the path of an item open; none for one whose path is given.
+std::vector<Limit> limits_of(const reference::Item& item);
 
 struct Figure {
   std::string title;

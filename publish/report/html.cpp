@@ -155,8 +155,8 @@ void HtmlPage::flush_rows() {
   rows_.clear();
 }
 
-std::optional<ReportError> HtmlPage::finish(const Json& summary) {
-  if (!out_.is_open()) return ReportError{fmt::format("{} cannot be written.", part_.string())};
+std::optional<std::string> HtmlPage::finish(const Json& summary) {
+  if (!out_.is_open()) return fmt::format("{} cannot be written.", part_.string());
   flush_rows();
   flush_passes();
   Json told = summary;
@@ -165,26 +165,25 @@ std::optional<ReportError> HtmlPage::finish(const Json& summary) {
        << "</script>\n"
        << after_;
   out_.close();
-  if (!out_) return ReportError{"The report cannot be written; is the disk full?"};
+  if (!out_) return "The report cannot be written; is the disk full?";
   std::error_code failure;
   std::filesystem::rename(part_, target_, failure);
-  if (failure) return ReportError{fmt::format("{} cannot be written.", target_.string())};
+  if (failure) return fmt::format("{} cannot be written.", target_.string());
   done_ = true;
   return std::nullopt;
 }
 
-std::optional<ReportError> write_html_report(const std::string& results,
+std::optional<std::string> write_html_report(const std::string& results,
                                              const std::string& directory) {
   std::ifstream in = open_regular(results);
-  if (!in) return ReportError{fmt::format("{} cannot be opened.", results)};
+  if (!in) return fmt::format("{} cannot be opened.", results);
   std::string line;
   std::getline(in, line);
   const std::optional<Json> header = parse_object(line);
   const auto format = header ? count_of(*header, "format") : std::nullopt;
   if (!format || !reads_results_format(static_cast<std::int64_t>(*format))) {
-    return ReportError{
-        fmt::format("{} does not begin with the header of a results file of format 1 or {}.",
-                    results, kResultsFormat)};
+    return fmt::format("{} does not begin with the header of a results file of format 1 or {}.",
+                       results, kResultsFormat);
   }
   HtmlPage page(directory, *header);
   Summary summary(*header);

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -15,17 +14,10 @@
 
 namespace gonogo::oracle::report {
 
-// Why there is no report, a sentence.
-struct ReportError {
-  std::string message;
-};
-
 // The page while it is written: a block of rows for the list, a block a failure. It is in place
 // only when it is complete.
 class HtmlPage {
  public:
-  using Json = nlohmann::ordered_json;
-
   // `directory`/index.html, of a run with this header.
   HtmlPage(const std::string& directory, const Json& header);
   ~HtmlPage();
@@ -40,8 +32,8 @@ class HtmlPage {
   // What is known of the case that was added last, which is GO. A page keeps only a limited number;
   // false: it takes no more.
   bool add_pass(const CorpusCase& test);
-  // What Summary::finish() says. An error when anything could not be written.
-  std::optional<ReportError> finish(const Json& summary);
+  // What Summary::finish() says. A sentence when anything could not be written.
+  std::optional<std::string> finish(const Json& summary);
 
  private:
   void flush_rows();
@@ -55,16 +47,16 @@ class HtmlPage {
   std::string rows_;
   std::size_t index_ = 0;
   std::size_t path_bytes_ = 0;
-  nlohmann::ordered_json passes_ = Json::object();  // by the place of their rows
+  Json passes_ = Json::object();  // by the place of their rows
   std::size_t first_pass_ = 0;
   std::size_t pass_bytes_ = 0;
   bool done_ = false;
 };
 
 // Reads a results file line by line and writes `directory`/index.html. A results file without
-// footer, or with lines that cannot be read, still makes a page; the page says so. Errors: a file
-// that cannot be opened or written, a first line that is not the header of format 1.
-std::optional<ReportError> write_html_report(const std::string& results,
+// footer, or with lines that cannot be read, still makes a page; the page says so. A sentence for a
+// file that cannot be opened or written, and for a first line that is not the header of format 1.
+std::optional<std::string> write_html_report(const std::string& results,
                                              const std::string& directory);
 
 }  // namespace gonogo::oracle::report

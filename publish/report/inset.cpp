@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "publish/report/inset.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "publish/report/svg.hpp"
+#include "publish/report/sheet_parts.hpp"
+#include "publish/report/sheet_paths.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
@@ -16,20 +15,17 @@ constexpr double kInsetPixels = 50;       // pixels that the departure takes in 
 constexpr double kLeastDeparture = 1e-9;  // mm: below, nothing departs
 
 Point3 between(const Point3& a, const Point3& b, double share) {
-  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
+  return a + share * (b - a);
 }
 
 double squared(const Point3& a, const Point3& b) {
-  const Point3 d{a.x - b.x, a.y - b.y, a.z - b.z};
-  return d.x * d.x + d.y * d.y + d.z * d.z;
+  return dot(a - b, a - b);
 }
 
 Point3 nearest_on(const Point3& from, const Point3& to, const Point3& point) {
   const double length = squared(from, to);
   if (length == 0) return from;
-  const double along = (point.x - from.x) * (to.x - from.x) + (point.y - from.y) * (to.y - from.y) +
-                       (point.z - from.z) * (to.z - from.z);
-  return between(from, to, std::clamp(along / length, 0.0, 1.0));
+  return between(from, to, std::clamp(dot(point - from, to - from) / length, 0.0, 1.0));
 }
 
 // The point of the path that is nearest; of a path that only stands, where it stands.
@@ -51,27 +47,14 @@ double apart(const View& view, const Point3& a, const Point3& b) {
 
 // The part of a segment within a box of the sheet, as a subpath.
 void append_clipped(std::string& d, SheetPoint from, SheetPoint to, const SheetBox& box) {
-  double begin = 0;
-  double end = 1;
-  const auto cut = [&](double start, double way, double low, double high) {
-    if (way == 0) return start >= low && start <= high;
-    const double a = (low - start) / way;
-    const double b = (high - start) / way;
-    begin = std::max(begin, std::min(a, b));
-    end = std::min(end, std::max(a, b));
-    return begin <= end;
-  };
+  const auto part = part_within(box, from, to);
+  if (!part) return;
+  const auto [begin, end] = *part;
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;
-  if (!cut(from.x, dx, box.x, box.x + box.width)) return;
-  if (!cut(from.y, dy, box.y, box.y + box.height)) return;
   svg::append_line(d, {from.x + begin * dx, from.y + begin * dy},
                    {from.x + end * dx, from.y + end * dy});
 }
-
-}  // namespace
-
-namespace {
 
 std::optional<View> inset_between(const Layout& layout, const Point3& witness, const Point3& from,
                                   const SheetBox& frame) {
@@ -107,24 +90,17 @@ std::optional<View> inset_view(const Layout& layout, const Path& reference,
 }
 
 void append_inset_path(std::string& out, const View& view, const Path& path, char owner) {
-  std::string rapids;
-  std::string feeds;
-  std::string threads;
-  for (const Motion& motion : path.motions) {
-    for (std::size_t i = 1; i < motion.points.size(); ++i) {
-      append_clipped(motion.rapid         ? rapids
-                     : motion.is_thread() ? threads
-                                          : feeds,
-                     view.place(motion.points[i - 1]), view.place(motion.points[i]), view.field);
+  for (const std::string_view style : {"gs-rapid", "gs-feed", "gs-thread"}) {
+    std::string d;
+    for (const Motion& motion : path.motions) {
+      if (style_of(motion) != style) continue;
+      for (std::size_t i = 1; i < motion.points.size(); ++i) {
+        append_clipped(d, view.place(motion.points[i - 1]), view.place(motion.points[i]),
+                       view.field);
+      }
     }
+    if (!d.empty()) out += fmt::format("<path class=\"gs-{} {}\" d=\"{}\"/>\n", owner, style, d);
   }
-  const auto append = [&](std::string_view style, const std::string& d) {
-    if (d.empty()) return;
-    out += fmt::format("<path class=\"gs-{} {}\" d=\"{}\"/>\n", owner, style, d);
-  };
-  append("gs-rapid", rapids);
-  append("gs-feed", feeds);
-  append("gs-thread", threads);
 }
 
 }  // namespace gonogo::oracle::report

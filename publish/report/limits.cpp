@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "publish/report/limits.hpp"
-
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "oracle/motion/approximate.hpp"
+#include "publish/report/figure.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
@@ -23,15 +21,12 @@ struct Level {
   double depth;
 
   Point3 point(double p, double q) const {
-    switch (plane) {
-      case Plane::g17:
-        return {p, q, depth};
-      case Plane::g18:
-        return {q, depth, p};
-      case Plane::g19:
-        return {depth, p, q};
-    }
-    return {};
+    const reference::PlaneAxes axes = reference::axes_of(plane);
+    Point3 at;
+    at[axes.p] = p;
+    at[axes.q] = q;
+    at[axes.d] = depth;
+    return at;
   }
 };
 

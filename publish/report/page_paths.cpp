@@ -23,18 +23,6 @@ Cell cell_of(const Point3& point) {
           std::llround(point.z * kUnit)};
 }
 
-// Places of the two axes of a plane in a point.
-Json places_of_axes(reference::Plane plane) {
-  switch (plane) {
-    case reference::Plane::g17:
-      return {0, 1};
-    case reference::Plane::g18:
-      return {2, 0};
-    default:
-      return {1, 2};
-  }
-}
-
 void append_step(Json& out, const Cell& from, const Cell& to) {
   for (std::size_t i = 0; i < 3; ++i) out.push_back(to[i] - from[i]);
 }
@@ -83,8 +71,9 @@ Json limits_json(const std::vector<Limit>& limits) {
                 {"text", limit.text},
                 {"points", points}};
     if (limit.level) {
+      const reference::PlaneAxes axes = reference::axes_of(limit.level->plane);
       one["tool"] = limit.level->tool_radius;
-      one["axes"] = places_of_axes(limit.level->plane);
+      one["axes"] = Json::array({index(axes.p), index(axes.q)});
     }
     list.push_back(std::move(one));
   }

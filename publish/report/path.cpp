@@ -135,12 +135,4 @@ Names names_in(const Path& path, std::uint64_t block) {
   return found != path.names.end() ? *found : Names();
 }
 
-Path sample_path(const Position& start, std::span<const Record> records, std::size_t max_segments) {
-  PathSampler sampler(start, max_segments);
-  for (const Record& record : records) {
-    if (!sampler.add(record)) break;
-  }
-  return sampler.take();
-}
-
 }  // namespace gonogo::oracle::report

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +19,27 @@ struct Point3 {
   double x = 0;
   double y = 0;
   double z = 0;
+  // Along a linear axis.
+  double& operator[](reference::Axis axis) {
+    return axis == reference::Axis::x ? x : axis == reference::Axis::y ? y : z;
+  }
+  double operator[](reference::Axis axis) const {
+    return axis == reference::Axis::x ? x : axis == reference::Axis::y ? y : z;
+  }
   friend bool operator==(const Point3&, const Point3&) = default;
 };
+inline Point3 operator+(const Point3& a, const Point3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Point3 operator-(const Point3& a, const Point3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Point3 operator*(double k, const Point3& a) {
+  return {k * a.x, k * a.y, k * a.z};
+}
+inline double dot(const Point3& a, const Point3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 // A place in double, each coordinate held within +-1e9 mm.
 Point3 approximate(const reference::Position& position);
@@ -100,8 +118,5 @@ class PathSampler {
 
 // For the cycle that one block runs; 0: for the first one.
 Names names_in(const Path& path, std::uint64_t block);
-
-Path sample_path(const reference::Position& start, std::span<const reference::Record> records,
-                 std::size_t max_segments = kMaxSegments);
 
 }  // namespace gonogo::oracle::report

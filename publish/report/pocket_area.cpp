@@ -14,19 +14,12 @@ namespace {
 
 constexpr double kSameDepth = 1e-4;  // mm
 
-double depth_of(const Point3& point, reference::Plane plane) {
-  switch (plane) {
-    case reference::Plane::g17:
-      return point.z;
-    case reference::Plane::g18:
-      return point.y;
-    default:
-      return point.x;
-  }
+reference::Axis depth_axis(const PocketFloor& level) {
+  return reference::axes_of(level.plane).d;
 }
 
 bool is_at(const PocketFloor& level, const Point3& point) {
-  return std::fabs(depth_of(point, level.plane) - level.depth) < kSameDepth;
+  return std::fabs(point[depth_axis(level)] - level.depth) < kSameDepth;
 }
 
 // Whether a motion is of the level or ends the way down to it.
@@ -50,23 +43,15 @@ std::string swept(const View& view, const Path& path, const PocketFloor& level) 
   return d;
 }
 
-}  // namespace
-
-namespace {
-
 // The border at the depth of a place: at its level, or between the floor and where levels begin
 // that the manual leaves open; elsewhere nothing is milled.
 std::optional<Limit> at_depth_of(Limit border, const Point3& place) {
   PocketFloor& level = *border.level;
-  const double depth = depth_of(place, level.plane);
+  const double depth = place[depth_axis(level)];
   if (is_at(level, place)) return border;
   if (!level.top || depth < level.depth || depth >= *level.top) return std::nullopt;
   level.depth = depth;
-  for (Point3& point : border.points) {
-    (level.plane == reference::Plane::g17   ? point.z
-     : level.plane == reference::Plane::g18 ? point.y
-                                            : point.x) = depth;
-  }
+  for (Point3& point : border.points) point[depth_axis(level)] = depth;
   return border;
 }
 
@@ -82,7 +67,7 @@ std::optional<Limit> level_shown(const std::vector<Limit>& limits, std::uint64_t
     const bool of_block = block == 0 || level.block == block;
     double distance = of_block ? 0 : 1e9;
     if (departure && of_block) {
-      distance += std::fabs(depth_of(*departure, level.plane) - level.depth);
+      distance += std::fabs((*departure)[depth_axis(level)] - level.depth);
     } else if (best != nullptr && best->level->block == level.block) {
       distance = least;  // of the same pocket the last level
     }
@@ -98,24 +83,21 @@ std::optional<Limit> level_shown(const std::vector<Limit>& limits, std::uint64_t
 }
 
 void include_swept(Extent& extent, const PocketFloor& level, const Path& path) {
-  const double r = level.tool_radius;
-  const double x = level.plane == reference::Plane::g19 ? 0 : r;
-  const double y = level.plane == reference::Plane::g18 ? 0 : r;
-  const double z = level.plane == reference::Plane::g17 ? 0 : r;
+  Point3 reach{level.tool_radius, level.tool_radius, level.tool_radius};
+  reach[depth_axis(level)] = 0;
   for (const Motion& motion : path.motions) {
     if (!comes_to(level, motion)) continue;
     for (const Point3& point : motion.points) {
       if (!is_at(level, point)) continue;
-      extent.include({point.x - x, point.y - y, point.z - z});
-      extent.include({point.x + x, point.y + y, point.z + z});
+      extent.include(point - reach);
+      extent.include(point + reach);
     }
   }
 }
 
 bool looks_along(const View& view, const PocketFloor& level) {
-  const Point3 axis = level.plane == reference::Plane::g17   ? Point3{0, 0, 1}
-                      : level.plane == reference::Plane::g18 ? Point3{0, 1, 0}
-                                                             : Point3{1, 0, 0};
+  Point3 axis;
+  axis[depth_axis(level)] = 1;
   return !view.isometric && view.right.of(axis) == 0 && view.up.of(axis) == 0;
 }
 

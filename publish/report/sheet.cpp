@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "publish/report/inset.hpp"
 #include "publish/report/pocket_area.hpp"
-#include "publish/report/sheet_names.hpp"
 #include "publish/report/sheet_parts.hpp"
 #include "publish/report/sheet_paths.hpp"
 #include "publish/report/unfolded.hpp"
@@ -189,7 +186,7 @@ std::string svg_sheet(const Sheet& sheet) {
   const Parts parts = parts_of(sheet, extent);
   const double height = kSheetHeight + (parts.has_strip() ? kStrip : 0);
   std::string out;
-  append_sheet_head(out, sheet, height);
+  append_drawing_head(out, "gs-sheet", {kSheetWidth, height}, sheet.title);
   for (const View& view : parts.layout.views) append_view(out, view, sheet, parts);
   if (blank) append_blank_note(out);
   append_title_block(out, sheet, parts.layout);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "publish/report/sheet_names.hpp"
-
 #include <fmt/format.h>
 
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "publish/report/svg.hpp"
+#include "publish/report/sheet_parts.hpp"
 #include "publish/report/text_room.hpp"
 
 namespace gonogo::oracle::report {

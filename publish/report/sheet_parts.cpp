@@ -166,12 +166,6 @@ void append_axes(std::string& out, const View& view) {
   }
 }
 
-void append_legend_line(std::string& out, double x, double y, std::string_view style,
-                        std::string_view text) {
-  out += fmt::format("<path class=\"{}\" d=\"M{} {}h44\"/>", style, svg::number(x), svg::number(y));
-  svg::append_text(out, {x + 54, y + 4}, "gs-text", text);
-}
-
 bool has_threads(const Path* path) {
   return path != nullptr && std::ranges::any_of(path->motions, &Motion::is_thread);
 }
@@ -182,7 +176,9 @@ double append_legend_lines(std::string& out, const Sheet& sheet, double x, doubl
   const bool threads = has_threads(sheet.reference) || has_threads(sheet.departing);
   const double pitch = threads && two ? 13 : 18;
   const auto line = [&](std::string_view style, std::string_view of_two, std::string_view alone) {
-    append_legend_line(out, x, y, style, two ? of_two : alone);
+    out +=
+        fmt::format("<path class=\"{}\" d=\"M{} {}h44\"/>", style, svg::number(x), svg::number(y));
+    svg::append_text(out, {x + 54, y + 4}, "gs-text", two ? of_two : alone);
     y += pitch;
   };
   line("gs-r gs-feed", "reference, feed", "feed");
@@ -296,22 +292,24 @@ std::string_view sheet_style() {
   return kStyle;
 }
 
-void append_sheet_head(std::string& out, const Sheet& sheet, double height) {
+void append_drawing_head(std::string& out, std::string_view css_class, SheetPoint size,
+                         std::string_view title, std::string_view style) {
   out += fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"gs-sheet\" viewBox=\"0 0 {0} "
-      "{1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n",
-      svg::number(kSheetWidth), svg::number(height),
-      markup_text("Drawing of " + shortened(sheet.title, 80)));
-  out += kStyle;
-  out += fmt::format("<rect class=\"gs-paper\" x=\"0\" y=\"0\" width=\"{}\" height=\"{}\"/>\n",
-                     svg::number(kSheetWidth), svg::number(height));
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{3}\" viewBox=\"0 0 {0} {1}\" "
+      "width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n{4}{5}"
+      "<rect class=\"gs-paper\" x=\"0\" y=\"0\" width=\"{0}\" height=\"{1}\"/>\n",
+      svg::number(size.x), svg::number(size.y), markup_text("Drawing of " + shortened(title, 80)),
+      css_class, kStyle, style);
+}
+
+std::string_view style_of(Limit::Kind kind) {
+  return kind == Limit::Kind::border ? "gs-border-line" : "gs-reach";
 }
 
 void append_limit(std::string& out, const View& view, const Limit& limit) {
   std::string d;
   svg::append_subpath(d, view, limit.points);
-  out += fmt::format("<path class=\"{}\" d=\"{}\"/>\n",
-                     limit.kind == Limit::Kind::border ? "gs-border-line" : "gs-reach", d);
+  out += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", style_of(limit.kind), d);
 }
 
 void append_view_frame(std::string& out, const View& view) {

@@ -31,38 +31,46 @@ void append_strand(std::string& out, Strand& strand, char owner, std::string_vie
 
 // An arrowhead half way along a polyline, pointing the way.
 bool append_arrowhead(std::string& d, const View& view, const std::vector<Point3>& points) {
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const SheetPoint a = view.place(points[i - 1]);
-    const SheetPoint b = view.place(points[i]);
-    length += std::hypot(b.x - a.x, b.y - a.y);
-  }
-  if (length < kArrowRoom) return false;
-  double rest = length * 0.55;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const SheetPoint a = view.place(points[i - 1]);
-    const SheetPoint b = view.place(points[i]);
-    const double step = std::hypot(b.x - a.x, b.y - a.y);
-    if (step < rest || step == 0) {
-      rest -= step;
-      continue;
-    }
-    const double ux = (b.x - a.x) / step;
-    const double uy = (b.y - a.y) / step;
-    const SheetPoint tip{a.x + ux * rest + ux * 5, a.y + uy * rest + uy * 5};
-    const SheetPoint left{tip.x - ux * 11 + uy * 4, tip.y - uy * 11 - ux * 4};
-    const SheetPoint right{tip.x - ux * 11 - uy * 4, tip.y - uy * 11 + ux * 4};
-    svg::append_line(d, left, tip);
-    d += fmt::format("L{} {}Z", svg::number(right.x), svg::number(right.y));
-    return true;
-  }
-  return false;
+  const auto place = place_on_line(view, points, 0.55);
+  if (!place || place->length < kArrowRoom) return false;
+  const auto& [a, b, step, rest, length] = *place;
+  const double ux = (b.x - a.x) / step;
+  const double uy = (b.y - a.y) / step;
+  const SheetPoint tip{a.x + ux * rest + ux * 5, a.y + uy * rest + uy * 5};
+  const SheetPoint left{tip.x - ux * 11 + uy * 4, tip.y - uy * 11 - ux * 4};
+  const SheetPoint right{tip.x - ux * 11 - uy * 4, tip.y - uy * 11 + ux * 4};
+  svg::append_line(d, left, tip);
+  d += fmt::format("L{} {}Z", svg::number(right.x), svg::number(right.y));
+  return true;
 }
 
 }  // namespace
 
 std::string_view style_of(const Motion& motion) {
   return motion.rapid ? "gs-rapid" : motion.is_thread() ? "gs-thread" : "gs-feed";
+}
+
+std::optional<LinePlace> place_on_line(const View& view, const std::vector<Point3>& points,
+                                       double share) {
+  std::vector<LinePlace> segments;
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const SheetPoint a = view.place(points[i - 1]);
+    const SheetPoint b = view.place(points[i]);
+    segments.push_back({a, b, std::hypot(b.x - a.x, b.y - a.y)});
+    length += segments.back().step;
+  }
+  double rest = share * length;
+  for (LinePlace& segment : segments) {
+    if (segment.step == 0 || (segment.step < rest && &segment != &segments.back())) {
+      rest -= segment.step;
+      continue;
+    }
+    segment.rest = rest;
+    segment.length = length;
+    return segment;
+  }
+  return std::nullopt;
 }
 
 Extent extent_of_paths(std::initializer_list<const Path*> paths) {

@@ -21,23 +21,17 @@ Json clause_json(const reference::Clause& clause) {
 }
 
 bool has_feature(const Json& header, std::string_view feature) {
-  auto subject = header.find("subject");
-  if (subject == header.end() || !subject->is_object()) return false;
-  auto features = subject->find("features");
-  if (features == subject->end() || !features->is_array()) return false;
-  return std::ranges::any_of(*features,
-                             [&](const Json& f) { return f.is_string() && f == feature; });
+  const auto features = texts_of(header.value("subject", Json::object()), "features");
+  return std::ranges::count(features, feature) > 0;
 }
 
 // The readings that the certifier chose, in the profile or on the command line.
 Json chosen_readings(const Json& header) {
   Json chosen = header.value("/profile/readings"_json_pointer, Json::object());
-  const Json asked = header.value("readings", Json::array());
-  for (const Json& choice : asked) {
-    const std::string text = choice.is_string() ? choice.get<std::string>() : std::string();
-    const std::size_t equals = text.find('=');
+  for (const std::string& choice : texts_of(header, "readings")) {
+    const std::size_t equals = choice.find('=');
     if (equals == std::string::npos || !chosen.is_object()) continue;
-    chosen[text.substr(0, equals)] = text.substr(equals + 1);
+    chosen[choice.substr(0, equals)] = choice.substr(equals + 1);
   }
   return chosen;
 }
@@ -79,13 +73,7 @@ bool contains_no_go(const Json& totals) {
   });
 }
 
-}  // namespace
-
-Decision decision_of(const std::string& verdict) {
-  const auto kind = verdict_kind(verdict);
-  return kind ? decision(*kind) : Decision::no_go;
-}
-
+// The groups of a scope: what was not claimed, what was declared and skipped, the advices.
 Json scope_json(const RunScope& scope) {
   Json features = Json::object();
   for (const auto& [dialect, seen] : scope.features()) {
@@ -131,6 +119,7 @@ Json scope_json(const RunScope& scope) {
           {"advices", advices}};
 }
 
+// The findings in their order, for the page.
 Json findings_json(const Findings& findings) {
   Json list = Json::array();
   for (const Finding* finding : findings.list()) {
@@ -157,6 +146,25 @@ Json findings_json(const Findings& findings) {
     list.push_back(std::move(one));
   }
   return list;
+}
+
+// What is said of the coordinates of each dialect.
+Json coordinates_json(const Json* footer) {
+  Json texts = Json::object();
+  if (footer == nullptr || !footer->contains("coordinates")) return texts;
+  const Json& told = (*footer)["coordinates"];
+  if (!told.is_object()) return texts;
+  for (const auto& [dialect, source] : told.items()) {
+    if (const auto census = RoundingCensus::from_json(source)) texts[dialect] = census->text();
+  }
+  return texts;
+}
+
+}  // namespace
+
+Decision decision_of(const std::string& verdict) {
+  const auto kind = verdict_kind(verdict);
+  return kind ? decision(*kind) : Decision::no_go;
 }
 
 Summary::Summary(const Json& header) : scope_(declared_in(header)) {}
@@ -214,8 +222,7 @@ Json Summary::headline(const Json& header, const Json* footer, std::uint64_t bad
   Json reasons = Json::array();
   if (footer == nullptr) {
     reasons.push_back(
-        "The results file has no footer: the run did not come to its end, and cases "
-        "are missing.");
+        "The results file has no footer: the run did not come to its end, and cases are missing.");
   }
   if (bad_lines > 0) reasons.push_back("The results file has lines that cannot be read.");
   const Json totals = footer != nullptr ? footer->value("totals", Json::object()) : Json::object();
@@ -303,25 +310,9 @@ Json Summary::not_checked(const Json& header) const {
           {"outside", outside}};
 }
 
-// What is said of the coordinates of each dialect.
-Json Summary::coordinates(const Json* footer) {
-  Json texts = Json::object();
-  if (footer == nullptr || !footer->contains("coordinates")) return texts;
-  const Json& told = (*footer)["coordinates"];
-  if (!told.is_object()) return texts;
-  for (const auto& [dialect, source] : told.items()) {
-    if (const auto census = RoundingCensus::from_json(source)) texts[dialect] = census->text();
-  }
-  return texts;
-}
-
 std::string Summary::follows(const Json* footer) {
-  const Json told = footer != nullptr ? footer->value("assignments", Json()) : Json();
-  std::vector<std::string> assignments;
-  for (const Json& one : told) {
-    if (one.is_string()) assignments.push_back(one.get<std::string>());
-  }
-  return followed_readings(assignments);
+  return followed_readings(footer == nullptr ? std::vector<std::string>()
+                                             : texts_of(*footer, "assignments"));
 }
 
 Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const {
@@ -349,7 +340,7 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
   }
   return {{"header", header},
           {"footer", footer != nullptr ? *footer : Json(nullptr)},
-          {"coordinates", coordinates(footer)},
+          {"coordinates", coordinates_json(footer)},
           {"follows", follows(footer)},
           {"headline", headline(header, footer, bad_lines)},
           {"totals", totals_},

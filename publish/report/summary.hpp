@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -52,7 +51,6 @@ class Summary {
   static std::string follows(const Json* footer);
 
  private:
-  static Json coordinates(const Json* footer);
   Json headline(const Json& header, const Json* footer, std::uint64_t bad_lines) const;
   bool is_whole(const RunConditions& conditions, const Json* footer) const;
   Json matrix() const;
@@ -66,10 +64,5 @@ class Summary {
   RunScope scope_;
   Findings findings_;
 };
-
-// The findings in their order, for the page.
-Json findings_json(const Findings& findings);
-// The groups of a scope: what was not claimed, what was declared and skipped, the advices.
-Json scope_json(const RunScope& scope);
 
 }  // namespace gonogo::oracle::report

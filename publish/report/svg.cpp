@@ -9,6 +9,7 @@
 #include "publish/report/escape.hpp"
 
 namespace gonogo::oracle::report::svg {
+namespace {
 
 void append_number(std::string& out, double value) {
   const auto hundredths = std::llround(std::clamp(value, -1e9, 1e9) * 100);
@@ -22,14 +23,6 @@ void append_number(std::string& out, double value) {
   if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
 }
 
-std::string number(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
-}
-
-namespace {
-
 void append_point(std::string& out, char command, SheetPoint point) {
   out += command;
   append_number(out, point.x);
@@ -38,6 +31,12 @@ void append_point(std::string& out, char command, SheetPoint point) {
 }
 
 }  // namespace
+
+std::string number(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
 
 void append_line(std::string& out, SheetPoint from, SheetPoint to) {
   append_point(out, 'M', from);

@@ -12,7 +12,6 @@
 namespace gonogo::oracle::report::svg {
 
 // At most two decimals, no trailing zeros, never in exponents.
-void append_number(std::string& out, double value);
 std::string number(double value);
 
 void append_line(std::string& out, SheetPoint from, SheetPoint to);  // "M0 0L1 1"

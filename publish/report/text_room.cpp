@@ -21,26 +21,9 @@ SheetBox widened(const SheetBox& box, double by) {
   return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
 }
 
-// Shortens the part of a line that lies between two limits along one axis; false: none is left.
-bool clip(double start, double way, double low, double high, double& begin, double& end) {
-  if (way == 0) return start >= low && start <= high;
-  const double a = (low - start) / way;
-  const double b = (high - start) / way;
-  begin = std::max(begin, std::min(a, b));
-  end = std::min(end, std::max(a, b));
-  return begin <= end;
-}
-
-bool crosses(const SheetBox& box, SheetPoint from, SheetPoint to) {
-  double begin = 0;
-  double end = 1;
-  return clip(from.x, to.x - from.x, box.x, box.x + box.width, begin, end) &&
-         clip(from.y, to.y - from.y, box.y, box.y + box.height, begin, end);
-}
-
 bool crosses(const SheetBox& box, const std::vector<SheetPoint>& line) {
   for (std::size_t i = 1; i < line.size(); ++i) {
-    if (crosses(box, line[i - 1], line[i])) return true;
+    if (part_within(box, line[i - 1], line[i])) return true;
   }
   return false;
 }

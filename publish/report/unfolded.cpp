@@ -2,7 +2,6 @@
 #include "publish/report/unfolded.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 

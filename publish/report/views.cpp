@@ -121,14 +121,29 @@ Layout four_views(const Extent& extent, bool lathe, const SheetBox& area) {
                  {s * (2 * up.x - right.x + back.x), s * (2 * up.y - right.y + back.y),
                   s * (2 * up.z - right.z + back.z)},
                  true};
-  settle(isometric, {x2, area.y, second_column, first_row}, extent, 1);
-  isometric.scale = fit(range_along(isometric.right, extent), range_along(isometric.up, extent),
-                        isometric.field.width, isometric.field.height);
+  set_view(isometric, {x2, area.y, second_column, first_row}, extent);
   layout.views.push_back(isometric);
   return layout;
 }
 
 }  // namespace
+
+std::optional<std::pair<double, double>> part_within(const SheetBox& box, SheetPoint from,
+                                                     SheetPoint to) {
+  double begin = 0;
+  double end = 1;
+  const auto cut = [&](double start, double way, double low, double high) {
+    if (way == 0) return start >= low && start <= high;
+    const double a = (low - start) / way;
+    const double b = (high - start) / way;
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+    return begin <= end;
+  };
+  const bool is_in = cut(from.x, to.x - from.x, box.x, box.x + box.width) &&
+                     cut(from.y, to.y - from.y, box.y, box.y + box.height);
+  return is_in ? std::optional(std::pair(begin, end)) : std::nullopt;
+}
 
 void Extent::include(const Point3& point) {
   low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
@@ -150,14 +165,11 @@ SheetPoint corner_of_axes(const View& view) {
 }
 
 Layout lay_out(const Extent& extent, bool lathe, const SheetBox& area) {
-  const std::array<bool, 3> moves = {extent.high.x - extent.low.x > kStill,
-                                     extent.high.y - extent.low.y > kStill,
-                                     extent.high.z - extent.low.z > kStill};
+  const Point3 span = extent.span();
+  const std::array<bool, 3> moves = {span.x > kStill, span.y > kStill, span.z > kStill};
   if (moves[0] && moves[1] && moves[2]) return four_views(extent, lathe, area);
   auto [view, note] = flat_view(moves, lathe);
-  settle(view, area, extent, 1);
-  view.scale = fit(range_along(view.right, extent), range_along(view.up, extent), view.field.width,
-                   view.field.height);
+  set_view(view, area, extent);
   Layout layout;
   layout.scale = view.scale;
   layout.note = note;

@@ -6,8 +6,10 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "publish/report/path.hpp"
@@ -26,6 +28,11 @@ struct SheetBox {
   double height = 0;
 };
 
+// Where the part of a line within a box begins and ends, as shares of its length; nothing: it lies
+// outside.
+std::optional<std::pair<double, double>> part_within(const SheetBox& box, SheetPoint from,
+                                                     SheetPoint to);
+
 inline constexpr double kStill = 1e-6;  // mm: an axis that spans less does not move
 
 // What a drawing spans, mm.
@@ -34,6 +41,7 @@ struct Extent {
   Point3 high{-kNone, -kNone, -kNone};
   void include(const Point3& point);
   bool empty() const { return low.x > high.x; }
+  Point3 span() const { return high - low; }
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 };
 

@@ -7,36 +7,21 @@
 #include <memory>
 #include <optional>
 
-#include "campaign/results_reader.hpp"
+#include "publish/evidence/results_side.hpp"
 #include "publish/report/json_value.hpp"
-#include "publish/site/stem.hpp"
 
 namespace gonogo::oracle::site {
 namespace {
 
 using Json = ResultsReader::Json;
+using evidence::ResultsSide;
 using report::text_of;
 
 constexpr std::size_t kFirstOfStep = 50;
 
-// A results file with the case that is up.
-class Side {
- public:
-  explicit Side(const std::string& path) : reader_(path) { step(); }
-  const ResultsReader& reader() const { return reader_; }
-  bool at_end() const { return at_end_; }
-  const CaseHead& line() const { return line_; }
-  void step() { at_end_ = !reader_.next(line_); }
-
- private:
-  ResultsReader reader_;
-  CaseHead line_;
-  bool at_end_ = false;
-};
-
 struct Opened {
   Run run;
-  std::unique_ptr<Side> side;
+  std::unique_ptr<ResultsSide> side;
 };
 
 bool is_before(const Run& a, const Run& b) {
@@ -48,7 +33,7 @@ bool is_before(const Run& a, const Run& b) {
 
 Opened open(const Source& source) {
   Opened opened;
-  opened.side = std::make_unique<Side>(source.path);
+  opened.side = std::make_unique<ResultsSide>(source.path);
   const Json& header = opened.side->reader().header();
   const Json subject = header.value("subject", Json::object());
   const Json corpus = header.value("corpus", Json::object());
@@ -126,43 +111,32 @@ void add_step(const std::string& id, const Answer& before, const Answer& after, 
   const bool is_lost = was_go && !is_go;
   if (!is_lost && (!answered(before) || !answered(after))) return;
   ++step.compared;
-  const auto count = [&](std::uint64_t& cases, std::vector<std::string>& first) {
-    ++cases;
-    if (first.size() < kFirstOfStep) first.push_back(id);
-  };
-  if (is_lost) count(step.lost, step.first_lost);
-  if (!was_go && is_go) count(step.mended, step.first_mended);
-  if (!was_go && !is_go && before.departure != after.departure) count(step.moved, step.first_moved);
+  if (is_lost) step.lost.add(id, kFirstOfStep);
+  if (!was_go && is_go) step.mended.add(id, kFirstOfStep);
+  if (!was_go && !is_go && before.departure != after.departure) step.moved.add(id, kFirstOfStep);
 }
 
 class Gatherer {
  public:
-  Gatherer(Gathered& out, std::vector<Opened>& all) : out_(out), all_(all) {
-    for (Opened& one : all_) out_.runs.push_back(std::move(one.run));
+  Gatherer(Gathered& out, const evidence::ResultsSides& sides) : out_(out), sides_(sides) {
     for (const std::vector<std::size_t>& versions : out_.implementations()) {
       out_.voters.push_back(versions.back());
       for (std::size_t i = 1; i < versions.size(); ++i) {
-        out_.steps.push_back({versions[i - 1], versions[i], 0, 0, 0, 0, {}, {}, {}});
+        out_.steps.push_back({versions[i - 1], versions[i], 0, {}, {}, {}});
       }
     }
-    answers_.resize(all_.size());
+    answers_.resize(sides_.size());
   }
 
   // The next case of all of them; false: there is none.
   bool add_next() {
-    const CaseHead* first = nullptr;
-    for (const Opened& one : all_) {
-      if (one.side->at_end()) continue;
-      if (first == nullptr || one.side->line().id < first->id) first = &one.side->line();
-    }
+    const CaseHead* const first = first_line(sides_);
     if (first == nullptr) return false;
     ++out_.cases;
     test_ = *first;
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      Side& side = *all_[i].side;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
       answers_[i].reset();
-      if (side.at_end() || side.line().id != test_.id) continue;
-      add_line(side.line(), i);
+      if (sides_[i]->is_at(test_.id)) add_line(*sides_[i]->line(), i);
     }
     vote();
     for (Step& step : out_.steps) {
@@ -170,9 +144,7 @@ class Gatherer {
       const auto& after = answers_[step.after];
       if (before && after) add_step(test_.id, *before, *after, step);
     }
-    for (Opened& one : all_) {
-      if (!one.side->at_end() && one.side->line().id == test_.id) one.side->step();
-    }
+    step_past(sides_, test_.id);
     return true;
   }
 
@@ -194,7 +166,7 @@ class Gatherer {
         votes.push_back({run, true, {}, {}, {}, {}});
         continue;
       }
-      const CaseHead& line = all_[run].side->line();
+      const CaseHead& line = *sides_[run]->line();
       votes.push_back({run, false, answer->departure,
                        line.departure.empty() ? line.verdict : line.departure, line.clause,
                        line.message.empty() ? line.known : line.message});
@@ -203,7 +175,7 @@ class Gatherer {
   }
 
   Gathered& out_;
-  std::vector<Opened>& all_;
+  const evidence::ResultsSides& sides_;
   std::vector<std::optional<Answer>> answers_;
   CaseHead test_;
 };
@@ -236,6 +208,14 @@ std::vector<std::vector<std::size_t>> Gathered::implementations() const {
   return groups;
 }
 
+std::set<CycleKey> Gathered::cycles() const {
+  std::set<CycleKey> all;
+  for (const Run& run : runs) {
+    for (const auto& [cycle, counts] : run.cycles) all.insert(cycle);
+  }
+  return all;
+}
+
 Gathered gather(const std::vector<Source>& sources, const GatherOptions& options) {
   std::vector<Opened> all;
   for (const Source& source : sources) all.push_back(open(source));
@@ -244,11 +224,16 @@ Gathered gather(const std::vector<Source>& sources, const GatherOptions& options
   if (!options.mixed_corpus) refuse_mixed_corpora(all);
   name_folders(all);
   Gathered gathered;
-  Gatherer gatherer(gathered, all);
+  evidence::ResultsSides sides;
+  for (Opened& one : all) {
+    gathered.runs.push_back(std::move(one.run));
+    sides.push_back(std::move(one.side));
+  }
+  Gatherer gatherer(gathered, sides);
   while (gatherer.add_next()) {
   }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    take_footer(all[i].side->reader(), options.partial, gathered.runs[i], gathered.notes);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    take_footer(sides[i]->reader(), options.partial, gathered.runs[i], gathered.notes);
   }
   note_mixed(gathered.runs, gathered.notes);
   return gathered;

@@ -4,11 +4,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "publish/evidence/counted_ids.hpp"
 #include "publish/site/departures.hpp"
 #include "publish/site/run.hpp"
 #include "publish/site/vote.hpp"
@@ -37,13 +38,10 @@ struct GatherOptions {
 struct Step {
   std::size_t before = 0;  // runs
   std::size_t after = 0;
-  std::uint64_t compared = 0;           // cases that both answered
-  std::uint64_t lost = 0;               // GO before, not GO now
-  std::uint64_t mended = 0;             // departs before, GO now
-  std::uint64_t moved = 0;              // departs in both, in another way
-  std::vector<std::string> first_lost;  // ids
-  std::vector<std::string> first_mended;
-  std::vector<std::string> first_moved;
+  std::uint64_t compared = 0;   // cases that both answered
+  evidence::CountedIds lost;    // GO before, not GO now
+  evidence::CountedIds mended;  // departs before, GO now
+  evidence::CountedIds moved;   // departs in both, in another way
 };
 
 struct Gathered {
@@ -57,6 +55,8 @@ struct Gathered {
 
   // The runs of each implementation, in their order.
   std::vector<std::vector<std::size_t>> implementations() const;
+  // That any run has.
+  std::set<CycleKey> cycles() const;
 };
 
 // Throws SiteError where the results do not go together, ResultsError for a file that is faulty.

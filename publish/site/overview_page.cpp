@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <set>
-
 #include "publish/site/page.hpp"
 
 namespace gonogo::oracle::site {
@@ -55,13 +53,9 @@ std::string counts_hint(const Run& run, const CycleKey& cycle, const Counts& cou
 }
 
 std::string matrix(const SiteView& site) {
-  std::set<CycleKey> cycles;
-  for (const Run& run : site.gathered->runs) {
-    for (const auto& [cycle, counts] : run.cycles) cycles.insert(cycle);
-  }
   std::string rows;
   std::string dialect;
-  for (const CycleKey& cycle : cycles) {
+  for (const CycleKey& cycle : site.gathered->cycles()) {
     if (cycle.dialect != dialect) {
       dialect = cycle.dialect;
       rows +=
@@ -70,8 +64,7 @@ std::string matrix(const SiteView& site) {
     }
     rows += "<tr><th scope=\"row\" class=\"stay\">" + text(cycle.cycle) + "</th>";
     for (const Run& run : site.gathered->runs) {
-      const auto found = run.cycles.find(cycle);
-      const Counts counts = found == run.cycles.end() ? Counts{} : found->second;
+      const Counts counts = run.of_cycle(cycle);
       rows += share_cell(counts[Outcome::go], counts.answered(), counts_hint(run, cycle, counts));
     }
     rows += "</tr>\n";

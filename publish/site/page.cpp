@@ -8,17 +8,6 @@
 namespace gonogo::oracle::site {
 namespace {
 
-// An id in the fragment of an address.
-std::string fragment(std::string_view id) {
-  std::string out;
-  for (const char c : id) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       c == '.' || c == '-' || c == '_';
-    out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return out;
-}
-
 std::string navigation(const PageName& here) {
   std::string links;
   for (const PageName& name : kPages) {
@@ -89,7 +78,7 @@ std::string who(const SiteView& site, const std::vector<std::size_t>& runs) {
 std::string case_link(const SiteView& site, std::size_t run, const std::string& id) {
   if (!site.reports) return "<span class=\"mono\">" + text(id) + "</span>";
   return fmt::format("<a class=\"mono\" href=\"runs/{}/index.html#case={}\">{}</a>",
-                     site.gathered->runs[run].stem, fragment(id), text(id));
+                     site.gathered->runs[run].stem, report::address_text(id), text(id));
 }
 
 std::string case_links(const SiteView& site, std::size_t run, const std::vector<std::string>& ids) {

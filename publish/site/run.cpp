@@ -88,6 +88,27 @@ std::uint64_t Speed::below(unsigned percent) const {
   return 0;
 }
 
+std::string folder_stem(std::string_view title) {
+  constexpr std::size_t kLongest = 60;
+  std::string stem;
+  for (const char c : title.substr(0, kLongest)) {
+    const bool upper = c >= 'A' && c <= 'Z';
+    const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || upper;
+    if (kept) {
+      stem += upper ? static_cast<char>(c - 'A' + 'a') : c;
+    } else if (!stem.empty() && stem.back() != '-') {
+      stem += c == '.' && stem.back() != '.' ? '.' : '-';
+    }
+  }
+  while (!stem.empty() && (stem.back() == '-' || stem.back() == '.')) stem.pop_back();
+  return stem.empty() ? "run" : stem;
+}
+
+Counts Run::of_cycle(const CycleKey& cycle) const {
+  const auto found = cycles.find(cycle);
+  return found == cycles.end() ? Counts{} : found->second;
+}
+
 void Run::add(const CaseHead& line, Outcome outcome) {
   dialects.insert(line.dialect);
   counts.add(outcome);

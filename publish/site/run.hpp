@@ -10,7 +10,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "oracle/records/case_head.hpp"
@@ -92,6 +91,10 @@ struct Reason {
   std::set<std::string> verdicts;
 };
 
+// A title as the name of a folder and a part of an address: letters in lower case, digits, dots and
+// hyphens; "run" where none of these is left.
+std::string folder_stem(std::string_view title);
+
 struct Run {
   std::string name;     // of the implementation
   std::string version;  // of it; may be empty
@@ -110,6 +113,7 @@ struct Run {
   std::set<std::string> dialects;
 
   std::string title() const { return version.empty() ? name : name + " " + version; }
+  Counts of_cycle(const CycleKey& cycle) const;
   void add(const CaseHead& line, Outcome outcome);
 };
 

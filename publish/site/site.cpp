@@ -64,7 +64,7 @@ void write_reports(const std::vector<Run>& runs, const fs::path& folder) {
     const fs::path report = folder / "runs" / run.stem;
     fs::create_directories(report);
     if (const auto error = report::write_html_report(run.path, report.string())) {
-      throw std::system_error(std::make_error_code(std::errc::io_error), error->message);
+      throw std::system_error(std::make_error_code(std::errc::io_error), *error);
     }
   }
 }

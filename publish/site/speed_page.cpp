@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "publish/site/page.hpp"
 
 namespace gonogo::oracle::site {
@@ -22,9 +20,8 @@ std::string rates(const SiteView& site) {
       continue;
     }
     rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}"
-        "</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
-        "</tr>\n",
+        "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
+        "class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
         run_link(site, i), grouped(speed.cases()), milliseconds(speed.microseconds()),
         grouped(static_cast<std::uint64_t>(speed.rate())), milliseconds(speed.below(50)),
         milliseconds(speed.below(99)));

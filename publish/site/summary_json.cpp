@@ -113,10 +113,10 @@ Json vote_json(const Gathered& gathered) {
 
 Json step_json(const Step& step) {
   return {{"before", step.before},          {"after", step.after},
-          {"compared", step.compared},      {"lost", step.lost},
-          {"mended", step.mended},          {"moved", step.moved},
-          {"first_lost", step.first_lost},  {"first_mended", step.first_mended},
-          {"first_moved", step.first_moved}};
+          {"compared", step.compared},      {"lost", step.lost.count},
+          {"mended", step.mended.count},    {"moved", step.moved.count},
+          {"first_lost", step.lost.first},  {"first_mended", step.mended.first},
+          {"first_moved", step.moved.first}};
 }
 
 }  // namespace

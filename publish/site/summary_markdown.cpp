@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
-
 #include "publish/evidence/text.hpp"
 #include "publish/site/site.hpp"
 
@@ -15,8 +12,7 @@ using evidence::markdown_text;
 std::string results(const Gathered& gathered) {
   std::string out =
       "## Results\n\n| subject | version | cases | GO | skip | undecided | advice | NO-GO | known "
-      "to "
-      "depart | causes |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      "to depart | causes |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Run& run : gathered.runs) {
     out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
                        markdown_text(run.name), markdown_text(run.version),
@@ -29,20 +25,17 @@ std::string results(const Gathered& gathered) {
 }
 
 std::string cycles(const Gathered& gathered) {
-  std::set<CycleKey> all;
   std::string out = "\n## GO of the answered cases, by cycle\n\n| dialect | cycle |";
   std::string line = "|---|---|";
   for (const Run& run : gathered.runs) {
     out += " " + markdown_text(run.title()) + " |";
     line += "--:|";
-    for (const auto& [cycle, counts] : run.cycles) all.insert(cycle);
   }
   out += "\n" + line + "\n";
-  for (const CycleKey& cycle : all) {
+  for (const CycleKey& cycle : gathered.cycles()) {
     out += fmt::format("| {} | {} |", markdown_text(cycle.dialect), markdown_text(cycle.cycle));
     for (const Run& run : gathered.runs) {
-      const auto found = run.cycles.find(cycle);
-      const Counts counts = found == run.cycles.end() ? Counts{} : found->second;
+      const Counts counts = run.of_cycle(cycle);
       if (counts.answered() == 0) {
         out += " |";
       } else {

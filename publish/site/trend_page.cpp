@@ -39,7 +39,8 @@ std::string chart(const std::vector<Run>& runs, const std::vector<std::size_t>& 
     return kTop + (kHeight - kTop - kBottom) * (1 - part) / (1 - low);
   };
   std::string out = fmt::format(
-      "<div class=\"chart-box\"><svg class=\"chart\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" role=\"img\" aria-label=\"GO of "
+      "<div class=\"chart-box\"><svg class=\"chart\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "role=\"img\" aria-label=\"GO of "
       "the answered cases, version by version\">",
       kWidth, kHeight);
   for (const double part : {low, (1 + low) / 2, 1.0}) {
@@ -58,23 +59,23 @@ std::string chart(const std::vector<Run>& runs, const std::vector<std::size_t>& 
     // Words beside so many of them as have room, the last among them.
     if ((versions.size() - 1 - i) % (versions.size() / 9 + 1) != 0) continue;
     marks += fmt::format(
-        "<text class=\"value\" x=\"{0:.1f}\" "
-        "y=\"{2:.1f}\" text-anchor=\"middle\">{3}</text><text x=\"{0:.1f}\" y=\"{4}\" "
-        "text-anchor=\"middle\">{5}</text>",
+        "<text class=\"value\" x=\"{0:.1f}\" y=\"{2:.1f}\" text-anchor=\"middle\">{3}</text><text "
+        "x=\"{0:.1f}\" y=\"{4}\" text-anchor=\"middle\">{5}</text>",
         x(i), at, at - 10, percent(counts[Outcome::go], counts.answered()), kHeight - 10,
         text(report::shortened(runs[versions[i]].version, 24)));
   }
   return out + "<polyline class=\"course\" points=\"" + line + "\"/>" + marks + "</svg></div>\n";
 }
 
-std::string change_cell(const SiteView& site, std::size_t run, std::uint64_t cases,
-                        const std::vector<std::string>& first) {
-  if (cases == 0) return "<td class=\"number\">0</td>";
+std::string change_cell(const SiteView& site, std::size_t run, const evidence::CountedIds& cases) {
+  if (cases.count == 0) return "<td class=\"number\">0</td>";
   std::string more;
-  if (cases > first.size()) more = fmt::format(" and {} more", grouped(cases - first.size()));
+  if (cases.count > cases.first.size()) {
+    more = fmt::format(" and {} more", grouped(cases.count - cases.first.size()));
+  }
   return fmt::format(
       "<td><details><summary>{}</summary><div class=\"ids\">{}{}</div></details></td>",
-      grouped(cases), case_links(site, run, first), more);
+      grouped(cases.count), case_links(site, run, cases.first), more);
 }
 
 std::string versions_table(const SiteView& site, const std::vector<std::size_t>& versions) {
@@ -88,9 +89,8 @@ std::string versions_table(const SiteView& site, const std::vector<std::size_t>&
     if (step == site.gathered->steps.end()) {
       rows += "<td></td><td></td><td></td>";
     } else {
-      rows += change_cell(site, run, step->lost, step->first_lost) +
-              change_cell(site, run, step->mended, step->first_mended) +
-              change_cell(site, run, step->moved, step->first_moved);
+      rows += change_cell(site, run, step->lost) + change_cell(site, run, step->mended) +
+              change_cell(site, run, step->moved);
     }
     rows += "</tr>\n";
   }

@@ -86,6 +86,8 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"GSK-COM-07",
      "Parameter 3403#6 allows both; it holds as the profile chooses by the parameter or the "
      "reading."},
+    {"GSK-COM-15",
+     "Parameter 3404#6 allows both; it holds as the profile chooses by the parameter."},
     {"GSK-MOD-01", kAsChosen},
     {"GSK-MOD-02",
      "What must be given on entering the cycle is in force when it first mills, or is missing."},
@@ -113,7 +115,8 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
      "starts."},
     {"HNC-G82-07", "The format prints F/J: one lead, in one of two units."},
     {"HNC-G82-10",
-     "Q is said to be of the run-out, and to come with the versions 7.11 and 4.03: an older control "
+     "Q is said to be of the run-out, and to come with the versions 7.11 and 4.03: an older "
+     "control "
      "has no such word."},
     {"HNC-G74-02",
      "The letters of the path of way 1 in G75: five pecks and four withdrawals, then out."},
@@ -184,8 +187,8 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
      "line."},
 
     {"SIE-LEX-01",
-     "The chapter on the structure of a block says where '=' is needed and what a value is: "
-     "anything else is no block."},
+     "The list of characters says what is a blank, the chapter on the structure of a block where "
+     "'=' is needed and what a value is: anything else is no block."},
     {"SIE-PAR-01",
      "An assignment holds from where it stands; a value that does not exist cannot be assigned."},
     {"SIE-G1-03", "G90, G91, AC and IC are said of end points; a rotary axis has one."},
@@ -200,6 +203,7 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
      "The chapter on helices: TURN from 0 to 999, as a word of G2 and G3; 0 beside CT, and beside "
      "CIP "
      "by the text of alarm 14920."},
+    {"SIE-ARC-16", kAsChosen},
     {"SIE-CIP-01", "The chapter on CIP, and the text of alarm 14920."},
     {"SIE-CIP-02", "Through fewer than three points there is no one circle."},
     {"SIE-CT-01", "An arc is tangent in one way; straight behind there is none of finite radius."},

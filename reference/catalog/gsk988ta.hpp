@@ -332,6 +332,11 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
                      "reference/gsk988ta/words.cpp"},
                     "value-sign value-out-of-range feed-missing"),
 
+    {"GSK-COM-15", derived, kBasic,
+     "A program that no M02, M30 or second % ends is an alarm where parameter 3404#6 of the "
+     "machine is 0; else it ends with its text.",
+     "reference/gsk988ta/interpreter.cpp"},
+
     {"GSK-MOD-01", open, kG110,
      "A cycle is entered by its code from outside, or from a cycle of another mode; G110 and G111 "
      "are one mode, and so are G112 and G113; the code written again is not an entry.",
@@ -360,8 +365,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "retained as in G110.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-05", derived, kG110,
-     "The initial plane is the depth coordinate at which the mode was entered, and stays; a plane "
-     "code takes that of the new depth axis.",
+     "The initial plane is the depth coordinate at which the mode was entered, and stays; another "
+     "plane takes that of the new depth axis.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-06", derived, kBasic,
      "G80 and every code of group 01 end the mode; G80 also ends G90, G92 and G94. Axis words "

@@ -85,15 +85,21 @@ inline constexpr auto kGskReadings = of_dialect(
          .alternatives = {"shared", "each"},
          .clause = "GSK-MOD-01"_clause,
          .text = "I L Q D between G110 and G111: shared, or to be given again on each change"},
+        {.name = "gsk.pocket.retained",
+         .alternatives = {"length", "number"},
+         .clause = "GSK-MOD-07"_clause,
+         .text = "I L Q D that a milling cycle retains, behind a change between G20 and G21: the "
+                 "same lengths, or the same numbers in the new units"},
         {.name = "gsk.pocket.R",
          .alternatives = {"per-block", "modal"},
          .clause = "GSK-MOD-03"_clause,
          .text = "R and P: for their block, or retained in the mode"},
         {.name = "gsk.missing-axis",
-         .alternatives = {"skip", "position"},
+         .alternatives = {"skip", "position", "current"},
          .clause = "GSK-G110-14"_clause,
          .text = "a block that lacks one of the three axes: nothing moves, or its plane axes are "
-                 "positioned"},
+                 "positioned, or with the depth word it mills where the tool stands along the "
+                 "other"},
         {.name = "gsk.zero-depth",
          .alternatives = {"no-cut", "alarm"},
          .clause = "GSK-G110-17"_clause,
@@ -188,6 +194,11 @@ inline constexpr auto kGskReadings = of_dialect(
          .alternatives = {"alarm", "none"},
          .clause = "GSK-COM-05"_clause,
          .text = "an arc whose start, end and centre are one point: an alarm, or no motion in the "
+                 "plane"},
+        {.name = "gsk.arc.closed",
+         .alternatives = {"alarm", "none"},
+         .clause = "GSK-COM-05"_clause,
+         .text = "an arc given by R that ends where it starts: an alarm, or no motion in the "
                  "plane"},
         {.name = "gsk.arc.tolerance-zero",
          .alternatives = {"off", "exact"},

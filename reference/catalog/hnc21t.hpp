@@ -129,17 +129,18 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "without a width X alone.",
      "reference/hnc21t/cycle.cpp"},
     {"HNC-MOD-04", open, kSimple,
-     "F of G74, G75, G80 and G81 is the ordinary feed. A lead never becomes a feed, nor a feed a "
-     "lead; G32 needs a lead of its own. Whether one from before another motion code is in force "
-     "is open.",
+     "F of G74, G75, G80 and G81 is the ordinary feed. A lead becomes no feed, nor a feed a lead, "
+     "and G32 needs a lead of its own; whether one from before another motion code is in force, or "
+     "F is one word for feeds and leads, is open.",
      "reference/hnc21t/interpreter.cpp"},
     named_otherwise(
         refused_by_some({"HNC-MOD-05", open, kSimple,
                          "The same code again, at once or behind motion codes that are not of the "
                          "group, is no change of command, or it is one. A code or a word of a "
                          "cycle without an axis word is stored and moves nothing, or the cycle "
-                         "runs again. Y and V are not words of a lathe. G18 is the only plane; "
-                         "G40, G96 and G97 have no effect. No text says so; our judgement.",
+                         "runs again. Other units leave retained lengths, or their numbers. Y and "
+                         "V are not words of a lathe. G18 is the only plane; G40, G96 and G97 have "
+                         "no effect. No text says so; our judgement.",
                          "reference/hnc21t/interpreter.cpp"},
                         "missing-word"),
         "undefined-code axis-not-in-plane unused-word syntax"),

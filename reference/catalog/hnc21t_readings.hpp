@@ -78,11 +78,18 @@ inline constexpr auto kHncReadings = of_dialect(
          .text = "words of a cycle, but F of a feed and its end, where the same cycle comes again "
                  "behind G00 or another motion code that is not of its group: forgotten, or still "
                  "in force"},
+        {.name = "hnc.retained",
+         .alternatives = {"length", "number"},
+         .clause = "HNC-MOD-05"_clause,
+         .text =
+             "I K R E and Q that a cycle retains, behind a change between G20 and G21: the same "
+             "lengths, or the same numbers in the new units"},
         {.name = "hnc.g32.lead",
-         .alternatives = {"alarm", "kept"},
+         .alternatives = {"alarm", "kept", "feed"},
          .clause = "HNC-MOD-04"_clause,
          .text = "G32 without F or J behind another motion code: the lead is missing, or that of "
-                 "the last G32 is in force"},
+                 "the last G32 is in force, or F is one word: the lead is the feed in force, and "
+                 "the feed behind a thread is its lead"},
         {.name = "hnc.rewrite",
          .alternatives = {"keep", "clear"},
          .clause = "HNC-MOD-05"_clause,
@@ -139,6 +146,15 @@ inline constexpr auto kHncReadings = of_dialect(
          .alternatives = {"alarm", "none"},
          .clause = "HNC-COM-01"_clause,
          .text = "an arc whose start, end and centre are one point: an alarm, or no motion"},
+        {.name = "hnc.arc.closed",
+         .alternatives = {"alarm", "none"},
+         .clause = "HNC-COM-01"_clause,
+         .text = "an arc given by R that ends where it starts: an alarm, or no motion"},
+        {.name = "hnc.arc.small-radius",
+         .alternatives = {"alarm", "semicircle"},
+         .clause = "HNC-COM-01"_clause,
+         .text = "R less than half the chord by no more than radii may be apart, 0.01 mm or "
+                 "parameter 3410: an alarm, or a semicircle over the chord"},
     }));
 
 }  // namespace gonogo::reference::catalog

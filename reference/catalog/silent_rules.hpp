@@ -120,7 +120,8 @@ inline constexpr auto kHnc21t = std::to_array<Clause>({
      "reference/hnc21t/g82.cpp"},
     refused_by_some({"HNC-G82-12", open, hnc21t::kG82,
                      "R and E, and C and P, are judged on the values in force, of which a block "
-                     "may write one alone. No text says so; our judgement.",
+                     "may write one alone; an R or E of zero needs no other. No text says so; our "
+                     "judgement.",
                      "reference/hnc21t/g82.cpp"},
                     "retract-pair missing-word"),
     refused_by_some({"HNC-G82-13", open, hnc21t::kG82,
@@ -143,6 +144,16 @@ inline constexpr auto kSinumerikPath = std::to_array<Clause>({
                      "row, and G=1. No text says which alarm comes of it; our judgement.",
                      "reference/sinumerik/codes.cpp"},
                     "undefined-code"),
+    refused_by_some({"SIE-LEX-03", open, sinumerik::kProgram,
+                     "'&' and characters that are not printed are blanks on the 802S, too. No text "
+                     "says so; our judgement.",
+                     "reference/sinumerik/interpreter.cpp"},
+                    "syntax undefined-code"),
+    refused_by_some({"SIE-LEX-04", open, sinumerik::kProgram,
+                     "A line with % behind a block ends the program, and what stands behind it is "
+                     "not run. No text says so; our judgement.",
+                     "reference/sinumerik/interpreter.cpp"},
+                    "syntax program-end"),
     named_otherwise({"SIE-PAR-02", open, sinumerik::kProgram,
                      "The 840D has the R parameters R0 to R999. No text says how many: a machine "
                      "data does; our judgement.",
@@ -175,8 +186,8 @@ inline constexpr auto kSinumerikPath = std::to_array<Clause>({
                     "syntax value-out-of-range"),
     refused_by_some({"SIE-MOD-09", open, sinumerik::kModes,
                      "G4 S counts the turns of the speed in force though the spindle stands, and "
-                     "the spindle turns behind SPOS, SPOSA, M19 and M70 as it did before them. No "
-                     "text says either; our judgement.",
+                     "the spindle turns behind SPOS, SPOSA, M6, M19 and M70 as it did before them. "
+                     "No text says either; our judgement.",
                      "reference/sinumerik/basic_motion.cpp"},
                     "spindle-stopped"),
     named_otherwise({"SIE-COM-02", open, sinumerik::kModes,

@@ -18,9 +18,10 @@ inline constexpr std::string_view kModes = "SINUMERIK 840D, programming: modal c
 using enum ClauseLevel;
 inline constexpr auto kPathClauses = std::to_array<Clause>({
     {"SIE-LEX-01", derived, kProgram,
-     "Letters stand in either case; ';' begins a comment. An '=' is needed behind an address of "
-     "several letters or with a number, and before an expression. Values are numbers, R "
-     "parameters, + - * / with brackets, SIN COS TAN SQRT and ABS.",
+     "Letters stand in either case; ';' begins a comment; '&' and characters that are not printed "
+     "are blanks. An '=' is needed behind an address of several letters or with a number, and "
+     "before an expression. Values are numbers, R parameters, + - * / with brackets, SIN COS TAN "
+     "SQRT and ABS.",
      "grammar/x3/sinumerik.cpp"},
     {"SIE-PAR-01", derived, kProgram,
      "Assignments to R parameters act from left to right, each at once; one that was never "
@@ -87,6 +88,10 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
     {"SIE-ARC-13", derived, kArcs,
      "TURN= is whole, 0 to 999, and belongs to G2 and G3; beside CIP and CT it is 0 and adds "
      "nothing.",
+     "reference/sinumerik/arc.cpp"},
+    {"SIE-ARC-16", derived, kArcs,
+     "With CR= the centre need not be given. Whether one that is given is an alarm, has no effect, "
+     "or makes the arc is open.",
      "reference/sinumerik/arc.cpp"},
     {"SIE-CIP-01", derived, kArcs,
      "CIP is an arc in space through the point I1= J1= K1=, its sense the order of the points; "

@@ -96,9 +96,9 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "2) or counterclockwise (3); no other motion has a direction.",
      "reference/sinumerik/lcyc75_path.cpp"},
     {"SIE-LC75-13", derived, kPockets,
-     "The approach to R101 is one traverse from any height; between levels and at the end the tool "
-     "travels freely and at any speed in what is cleared, never above R101, and it ends at the "
-     "centre at R101.",
+     "The approach to R101 is one traverse from any height; on the way down of finishing, between "
+     "levels and at the end the tool travels freely and at any speed in what is cleared, never "
+     "above R101, and it ends at the centre at R101.",
      "reference/sinumerik/lcyc75.cpp"},
     {"SIE-LC75-14", derived, kPockets,
      "Whether the feed in force behind LCYC75 is F of before or R123, mm/min or mm/rev, is open.",

@@ -23,6 +23,10 @@ inline constexpr auto kSinumerikPathReadings = of_dialect(
          .clause = "SIE-ARC-11"_clause,
          .text = "by how much a chord may exceed twice CR: not at all, or by CIRCLE_ERROR_CONST "
                  "(the arc is then half a turn about the chord's middle)"},
+        {.name = "sie.cr.centre",
+         .alternatives = {"alarm", "radius", "centre"},
+         .clause = "SIE-ARC-16"_clause,
+         .text = "CR= beside I, J or K: an alarm, an arc of that radius, or one about that centre"},
         {.name = "sie.arc.plane",
          .alternatives = {"ends", "helix"},
          .clause = "SIE-ARC-12"_clause,
@@ -113,10 +117,10 @@ inline constexpr auto kSinumerikCycleReadings = of_dialect(
          .clause = "SIE-LC75-12"_clause,
          .text = "the path that clears a level: judged by what it clears, or the given one"},
         {.name = "sie.lcyc.unit",
-         .alternatives = {"mm", "inch"},
+         .alternatives = {"mm", "inch", "inch-with-feeds"},
          .clause = "SIE-LC75-01"_clause,
          .text = "the lengths among the parameters of LCYC75 and LCYC82 under G70: millimetres, or "
-                 "inches"},
+                 "inches; and whether the feeds R122 and R123 are inches with them"},
         {.name = "sie.lc75.r125-limit",
          .alternatives = {"none", "alarm"},
          .clause = "SIE-LC75-09"_clause,

@@ -134,10 +134,6 @@ Interval& Interval::operator=(Interval other) noexcept {
 }
 
 Interval::~Interval() {
-  clear();
-}
-
-void Interval::clear() noexcept {
   if (low_->_mpfr_d != nullptr) mpfr_clears(low_, high_, nullptr);
 }
 

@@ -30,7 +30,6 @@ class Interval {
   bool bounded() const { return mpfr_number_p(low_) != 0 && mpfr_number_p(high_) != 0; }
 
  private:
-  void clear() noexcept;
   mpfr_t low_;
   mpfr_t high_;
 };

@@ -55,7 +55,8 @@ std::optional<Number> small_quotient(const Number& a, const Number& b) {
 
 }  // namespace
 
-void NumberAccess::destroy(Node* node) noexcept {
+void NumberAccess::release(Node* node) noexcept {
+  if (node->count.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
   switch (node->form) {
     case Form::rational:
       delete static_cast<RationalNode*>(node);

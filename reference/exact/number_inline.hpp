@@ -27,7 +27,8 @@ struct NumberAccess {
   static std::int64_t millionths(const Number& value) noexcept { return value.millionths_; }
   static Node* steal(Number& value) noexcept { return std::exchange(value.node_, nullptr); }
 
-  static void destroy(Node* node) noexcept;
+  // Frees the node where nobody else has it.
+  static void release(Node* node) noexcept;
   static Number large_integer(std::int64_t value) noexcept;
   static Number add(const Number& a, const Number& b);
   static Number subtract(const Number& a, const Number& b);
@@ -70,28 +71,27 @@ inline Number::Number(std::int64_t value) noexcept {
   }
 }
 
-inline Number::Number(const Number& other) noexcept
+// In units of many files g++ calls even what is smaller than a call, unless it has to inline it.
+[[gnu::always_inline]] inline Number::Number(const Number& other) noexcept
     : millionths_(other.millionths_), node_(other.node_) {
   if (node_ != nullptr) node_->count.fetch_add(1, std::memory_order_relaxed);
 }
 
-inline Number::Number(Number&& other) noexcept
+[[gnu::always_inline]] inline Number::Number(Number&& other) noexcept
     : millionths_(std::exchange(other.millionths_, 0)),
       node_(std::exchange(other.node_, nullptr)) {}
 
-inline Number::~Number() {
-  if (node_ != nullptr && node_->count.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-    NumberAccess::destroy(node_);
-  }
+[[gnu::always_inline]] inline Number::~Number() {
+  if (node_ != nullptr) NumberAccess::release(node_);
 }
 
-inline Number& Number::operator=(Number&& other) noexcept {
+[[gnu::always_inline]] inline Number& Number::operator=(Number&& other) noexcept {
   std::swap(millionths_, other.millionths_);
   std::swap(node_, other.node_);
   return *this;
 }
 
-inline Number& Number::operator=(const Number& other) noexcept {
+[[gnu::always_inline]] inline Number& Number::operator=(const Number& other) noexcept {
   return *this = Number(other);
 }
 
@@ -105,12 +105,12 @@ inline Number::Form Number::form() const noexcept {
   return node_ == nullptr ? Form::rational : node_->form;
 }
 
-inline int Number::sign() const {
+[[gnu::always_inline]] inline int Number::sign() const {
   if (node_ != nullptr) return NumberAccess::sign(*this);
   return (millionths_ > 0) - (millionths_ < 0);
 }
 
-inline Number operator+(const Number& a, const Number& b) {
+[[gnu::always_inline]] inline Number operator+(const Number& a, const Number& b) {
   std::int64_t sum = 0;
   if (a.node_ == nullptr && b.node_ == nullptr &&
       !__builtin_add_overflow(a.millionths_, b.millionths_, &sum)) {
@@ -119,7 +119,7 @@ inline Number operator+(const Number& a, const Number& b) {
   return NumberAccess::add(a, b);
 }
 
-inline Number operator-(const Number& a, const Number& b) {
+[[gnu::always_inline]] inline Number operator-(const Number& a, const Number& b) {
   std::int64_t difference = 0;
   if (a.node_ == nullptr && b.node_ == nullptr &&
       !__builtin_sub_overflow(a.millionths_, b.millionths_, &difference)) {
@@ -153,7 +153,7 @@ inline Number abs(const Number& value) {
   return NumberAccess::millionths(value) < 0 ? -value : value;
 }
 
-inline int Number::compare(const Number& a, const Number& b) {
+[[gnu::always_inline]] inline int Number::compare(const Number& a, const Number& b) {
   if (a.node_ == nullptr && b.node_ == nullptr) {
     return (a.millionths_ > b.millionths_) - (a.millionths_ < b.millionths_);
   }

@@ -21,7 +21,6 @@ using exact::Number;
 using Kernel = CGAL::Simple_cartesian<Number>;
 using Point_2 = Kernel::Point_2;
 using Vector_2 = Kernel::Vector_2;
-using Circle_2 = Kernel::Circle_2;
 using Aff_transformation_2 = Kernel::Aff_transformation_2;
 using Point_3 = Kernel::Point_3;
 using Vector_3 = Kernel::Vector_3;

@@ -3,6 +3,8 @@
 // GSK-COM-05, G02 and G03: an arc by its radius or by its centre; with the depth axis, a helix.
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/geometry/arc_centre.hpp"
@@ -19,19 +21,27 @@ Number most_apart(const BlockContext& block) {
   return block.profile.parameter("3410").value_or(Number::millionths(10'000));
 }
 
+// Whether the machine runs on instead of an alarm: 0 in its parameter, or as a reading says.
+bool runs_on(const BlockContext& block, std::string_view parameter, ReadingAlternative reading) {
+  if (auto value = block.profile.parameter(parameter)) return value->sign() == 0;
+  return block.readings.is(reading);
+}
+
 // GSK-COM-05, parameter 3403#4: R is less than half the chord, by no more than radii may be apart.
 bool is_semicircle(const BlockContext& block, const ArcEnds& ends) {
   const Number limit = most_apart(block);
   return limit.sign() > 0 &&
          ends.chord_within((abs(block.words.length('R').value()) + limit) * 2) &&
-         block.readings.is("gsk.arc.small-radius=semicircle"_reading);
+         runs_on(block, "3403.4", "gsk.arc.small-radius=semicircle"_reading);
 }
 
 // Nothing when the rules are broken.
 Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
   if (ends.closed()) {
-    block.alarm(AlarmClass::arc_end_point, "GSK-COM-05"_clause, 'R',
-                "An arc given by R cannot end where it starts.");
+    if (block.readings.is("gsk.arc.closed=alarm"_reading)) {
+      block.alarm(AlarmClass::arc_end_point, "GSK-COM-05"_clause, 'R',
+                  "An arc given by R cannot end where it starts.");
+    }
     return std::nullopt;
   }
   const Centre centre = centre_from_radius(ends, block.words.length('R').value(), sense);
@@ -88,7 +98,7 @@ void run_arc(BlockContext& block, int sense) {
   if (named.empty() && !by_radius && !by_centre) return;
   const bool has_centre = by_radius || by_centre;
   // GSK-COM-01, parameter 3403#5.
-  if (!has_centre && block.readings.is("gsk.arc.no-centre=line"_reading)) {
+  if (!has_centre && runs_on(block, "3403.5", "gsk.arc.no-centre=line"_reading)) {
     return run_straight_feed(block);
   }
   block.need_feed();
@@ -97,7 +107,8 @@ void run_arc(BlockContext& block, int sense) {
   const Centre centre =
       by_radius ? centre_by_radius(block, ends, sense) : centre_by_offsets(block, axes, ends);
   if (!centre) {
-    // Under gsk.arc.zero-radius = none only the axes outside the plane have a way to go.
+    // Under gsk.arc.zero-radius = none, or gsk.arc.closed = none, only the axes outside the plane
+    // have a way to go.
     if (block.out.alarms.empty() && to != machine.position) run_straight_feed(block);
     return;
   }

@@ -44,6 +44,21 @@ bool speaks_of_cut(const BlockContext& block) {
 
 }  // namespace
 
+void carry_cut(Machine& machine, const ReadingsInUse& readings, bool units_change) {
+  RetainedCut& cut = machine.cut;
+  if (cut.empty()) return;
+  if (readings.is("gsk.retained=clear"_reading)) return cut.clear();
+  if (readings.is("gsk.retained=in-plane"_reading)) {
+    cut.end_point[index(axes_of(machine.plane).d)].reset();
+  }
+  if (!units_change || !readings.is("gsk.retained=number"_reading)) return;
+  const Number factor = machine.units == Units::inch ? inches(1) : Number(1) / inches(1);
+  for (std::optional<AxisWord>& word : cut.end_point) {
+    if (word) word->value = word->value * factor;
+  }
+  cut.taper = cut.taper * factor;
+}
+
 void refuse_other_axes(BlockContext& block, const CuttingAxes& axes, ClauseId clause) {
   for (const AxisAddresses& addresses : kAxisAddresses) {
     if (addresses.axis == axes.positioning || addresses.axis == axes.cutting) continue;
@@ -73,12 +88,10 @@ void retain_cut_words(BlockContext& block, const CuttingAxes& axes) {
 
 // GSK-G94-12, GSK-G90-12, GSK-G92-12
 bool runs_cut(const BlockContext& block, const CuttingAxes& axes) {
-  if (block.words.has_axis_word(axes.positioning) || block.words.has_axis_word(axes.cutting) ||
-      block.words.has('R')) {
-    return true;
-  }
-  return !block.entered_cut && !block.machine.cut.empty() && speaks_of_cut(block) &&
-         block.readings.is("gsk.g94.empty-block=repeat"_reading);
+  return block.words.has_axis_word(axes.positioning) || block.words.has_axis_word(axes.cutting) ||
+         block.words.has('R') ||
+         (!block.entered_cut && !block.machine.cut.empty() && speaks_of_cut(block) &&
+          block.readings.is("gsk.g94.empty-block=repeat"_reading));
 }
 
 // GSK-MOD-07: a retained increment is taken from A again; a retained word of an axis that is not in

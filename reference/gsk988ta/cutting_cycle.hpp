@@ -15,6 +15,8 @@ struct CuttingAxes {
   Axis cutting;
 };
 
+// GSK-MOD-07: what the cycle retains, where the plane has changed, or the units.
+void carry_cut(Machine& machine, const ReadingsInUse& readings, bool units_change);
 // An alarm for a word of any other axis.
 void refuse_other_axes(BlockContext& block, const CuttingAxes& axes, ClauseId clause);
 // Words of this block replace the retained ones.

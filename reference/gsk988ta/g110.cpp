@@ -44,7 +44,9 @@ Generator<Item> mill(Pocket pocket) {
   const MillingSite& site = pocket.site;
   const AxisSet plane_axes = {site.axes.p, site.axes.q};
   // GSK-CYC-02: from the centre.
-  co_yield site.rapid_to_centre("GSK-G110-06"_clause, site.positioned);
+  if (!site.positioned.empty()) {
+    co_yield site.rapid_to_centre("GSK-G110-06"_clause, site.positioned);
+  }
   co_yield site.rapid_depth("GSK-G110-07"_clause, site.r_plane);
   if (site.depth().sign() == 0) {
     // GSK-G110-17: no depth, no cut.

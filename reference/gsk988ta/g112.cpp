@@ -29,7 +29,9 @@ Generator<Item> mill_along_helix(const MillingSite& site, const HelixPocket& poc
 }
 
 Generator<Item> mill(MillingSite site, HelixPocket pocket, bool open_side, bool feeds_back) {
-  co_yield site.rapid_to_centre("GSK-G112-03"_clause, site.positioned);
+  if (!site.positioned.empty()) {
+    co_yield site.rapid_to_centre("GSK-G112-03"_clause, site.positioned);
+  }
   co_yield site.rapid_depth("GSK-G112-03"_clause, site.r_plane);
   if (site.depth().sign() == 0) {
     // GSK-G110-17: no depth, no cut.

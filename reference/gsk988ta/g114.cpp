@@ -19,9 +19,11 @@ namespace gonogo::reference::gsk988ta {
 namespace {
 
 Generator<Item> mill(MillingSite site, ThreadMilling thread, bool open, bool feeds_back) {
-  const bool plane_alone = site.positioned == AxisSet{site.axes.p, site.axes.q};
-  co_yield site.rapid_to_centre(plane_alone ? "GSK-G114-05"_clause : "GSK-G114-16"_clause,
-                                site.positioned);
+  if (!site.positioned.empty()) {
+    const bool turns = site.positioned.has(Axis::c);
+    co_yield site.rapid_to_centre(turns ? "GSK-G114-16"_clause : "GSK-G114-05"_clause,
+                                  site.positioned);
+  }
   co_yield site.rapid_depth("GSK-G114-05"_clause, site.r_plane);
   if (site.depth().sign() == 0) {
     // GSK-G110-17: no depth, no cut.

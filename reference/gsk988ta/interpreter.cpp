@@ -4,6 +4,7 @@
 #include "reference/gsk988ta/interpreter.hpp"
 
 #include "reference/clause_literal.hpp"
+#include "reference/gsk988ta/cutting_cycle.hpp"
 #include "reference/gsk988ta/machine.hpp"
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/word_use.hpp"
@@ -31,6 +32,7 @@ class Interpreter : public BlockInterpreter {
   }
 
   void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) override;
+  void end_text(const grammar::Span& end, BlockOutput& out) override;
   const Position& position() const override { return machine_.position; }
   // Only the plane is open in a path: along the other axes the cycle says where it ends.
   void stand_at(const Position& position) override {
@@ -43,7 +45,6 @@ class Interpreter : public BlockInterpreter {
   bool takes_each_m(const grammar::Block& block) const;
   bool later_wins(const grammar::Block& block, std::string_view may_repeat) const;
   void take_modes(const BlockCodes& codes);
-  void carry_cut(bool units_change);
   void take_motion_code(BlockContext& block);
   void take_cycle_code(BlockContext& block);
   void cancel_cycles(BlockContext& block);
@@ -84,22 +85,6 @@ bool Interpreter::later_wins(const grammar::Block& block, std::string_view may_r
   return readings_.is("gsk.duplicate=last"_reading);
 }
 
-// GSK-MOD-07: what a cutting cycle retains, where units or the plane change.
-void Interpreter::carry_cut(bool units_change) {
-  RetainedCut& cut = machine_.cut;
-  if (cut.empty()) return;
-  if (readings_.is("gsk.retained=clear"_reading)) return cut.clear();
-  if (readings_.is("gsk.retained=in-plane"_reading)) {
-    cut.end_point[index(axes_of(machine_.plane).d)].reset();
-  }
-  if (!units_change || !readings_.is("gsk.retained=number"_reading)) return;
-  const Number factor = machine_.units == Units::inch ? inches(1) : Number(1) / inches(1);
-  for (std::optional<AxisWord>& word : cut.end_point) {
-    if (word) word->value = word->value * factor;
-  }
-  cut.taper = cut.taper * factor;
-}
-
 // Planes, units and feed modes hold from their block on.
 void Interpreter::take_modes(const BlockCodes& codes) {
   const Plane plane = machine_.plane;
@@ -110,11 +95,13 @@ void Interpreter::take_modes(const BlockCodes& codes) {
   }
   if (codes.plane >= 0) {
     machine_.plane = static_cast<Plane>(codes.plane - 17);
-    // GSK-MOD-05: within the mode the initial plane is then that of the new depth axis.
+  }
+  // GSK-MOD-05: within the mode the initial plane is then that of the new depth axis.
+  if (plane != machine_.plane) {
     machine_.milling.initial_plane = machine_.position[axes_of(machine_.plane).d];
   }
   const bool units_change = units != machine_.units;
-  if (units_change || plane != machine_.plane) carry_cut(units_change);
+  if (units_change || plane != machine_.plane) carry_cut(machine_, readings_, units_change);
 }
 
 void Interpreter::take_motion_code(BlockContext& block) {
@@ -367,6 +354,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, open_paths_};
   take_motion_code(context);
   take_cycle_code(context);
+  if (machine_.units != before.units) carry_milling(context);
   const bool has_wrong_codes = !out.alarms.empty();
   put_m_functions(context, each_m);
   if (!has_wrong_codes && has_stray_word(context)) return;
@@ -375,7 +363,17 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   take_feed(words);
   if (out.notes_acceptances) note_unused_words(context);
   run_code(context);
+  admit_other_classes(context);
   sort_by_place(out.alarms);
+}
+
+// GSK-COM-15
+void Interpreter::end_text(const grammar::Span& end, BlockOutput& out) {
+  const std::optional<Number> parameter = profile_.parameter("3404.6");
+  if (!parameter || parameter->sign() != 0) return;
+  out.alarms.push_back({AlarmClass::program_end, "GSK-COM-15"_clause, 0, end,
+                        "No M02, M30 or second % ends the program, which parameter 3404#6 of this "
+                        "machine wants."});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // The modal state of a GSK 988TA, and what a block sees of it.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "reference/block_base.hpp"
@@ -60,6 +61,15 @@ struct MillingMode {
   ThreadWords thread;  // the last of each in the mode
 
   CycleFamily family() const { return family_of(code); }
+  // Those of the words that are lengths.
+  std::array<std::optional<Number>*, 12> lengths() {
+    return {&radius,          &step,
+            &infeed,          &tool,
+            &retained_r,      &retained_clearance,
+            &thread.lead,     &thread.height,
+            &thread.infeed,   &thread.tool,
+            &thread.diameter, &thread.run_out_length};
+  }
 };
 
 struct Machine : MotionState {
@@ -95,6 +105,9 @@ struct BlockContext : BlockBase {
 
 // GSK-COM-10, GSK-COM-12: says of the block that it runs on although it has words without effect.
 void note_unused_words(const BlockContext& block);
+
+// J-ALM-04: what else the alarms of the block may be. Of an unstated rule the catalog says it.
+void admit_other_classes(const BlockContext& block);
 
 // GSK-COM-05, in basic_motion.cpp and arc.cpp.
 void run_dwell(BlockContext& block);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
@@ -87,8 +89,9 @@ Record MillingSite::arc_to(ClauseId clause, const std::array<Number, 2>& to,
 
 bool names_site(const BlockContext& block) {
   const PlaneAxes axes = axes_of(block.machine.plane);
-  return block.words.has_axis_word(axes.p) && block.words.has_axis_word(axes.q) &&
-         block.words.has_axis_word(axes.d);
+  if (!block.words.has_axis_word(axes.d)) return false;
+  if (block.words.has_axis_word(axes.p) && block.words.has_axis_word(axes.q)) return true;
+  return block.readings.is("gsk.missing-axis=current"_reading);
 }
 
 MillingSite place_site(BlockContext& block, const Number& r, bool depth_from_initial) {
@@ -124,10 +127,9 @@ Number r_of_pocket(const BlockContext& block) {
 }
 
 void position_only(BlockContext& block) {
-  if (!block.readings.is("gsk.missing-axis=position"_reading)) return;
   Position to;
   const AxisSet moved = positioned_axes(block, axes_of(block.machine.plane), to);
-  if (moved.empty()) return;
+  if (moved.empty() || !block.readings.is("gsk.missing-axis=position"_reading)) return;
   Record record = block.motion(RecordKind::rapid, "GSK-G110-14"_clause, {});
   record.axes = moved;
   record.to = to;
@@ -191,6 +193,18 @@ void check_tool_radius(BlockContext& block, ClauseId clause) {
   block.alarm(AlarmClass::tool_too_large, clause, 'I',
               with_values("The pocket's radius of {} mm is not larger than the tool's of {} mm.",
                           {*mode.radius, *mode.tool}));
+}
+
+void carry_milling(const BlockContext& block) {
+  Machine& machine = block.machine;
+  const auto lengths = machine.milling.lengths();
+  const auto is_given = [](const std::optional<Number>* word) { return word->has_value(); };
+  if (block.entered_cycle || std::ranges::none_of(lengths, is_given)) return;
+  if (block.readings.is("gsk.pocket.retained=length"_reading)) return;
+  const Number factor = machine.units == Units::inch ? inches(1) : Number(1) / inches(1);
+  for (std::optional<Number>* word : lengths) {
+    if (*word) *word = **word * factor;
+  }
 }
 
 void latch_pocket_words(BlockContext& block) {

@@ -43,7 +43,8 @@ struct MillingSite {
                 const std::array<Number, 2>& middle, std::int32_t rot) const;
 };
 
-// Whether the block names all three axes of the plane: only then it mills (GSK-G110-14).
+// GSK-G110-14: whether the block mills: it names all three axes of the plane, or under
+// gsk.missing-axis = current at least the depth.
 bool names_site(const BlockContext& block);
 // GSK-G110-01: the site, with `r` from the initial to the R plane. `depth_from_initial`: an
 // increment of the depth word counts from the initial plane. REQUIRES: names_site.
@@ -73,6 +74,8 @@ void check_needed(BlockContext& block, std::span<const NeededWord> words, bool m
                   ClauseId missing, ClauseId positive);
 // GSK-G110-03, GSK-G112-02: I > D.
 void check_tool_radius(BlockContext& block, ClauseId clause);
+// GSK-MOD-07: what the mode retains, where the units have changed.
+void carry_milling(const BlockContext& block);
 // GSK-MOD-02: I, L, Q, D, R and P that the mode takes in from every block, milling or not.
 void latch_pocket_words(BlockContext& block);
 // Whether this block needs the words of the mode: it enters the mode, or mills.

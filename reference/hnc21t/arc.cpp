@@ -15,14 +15,30 @@ namespace {
 
 using Centre = std::optional<Point_2>;
 
+// Parameter 3410, mm: how far two radii may be apart; a negative one allows any difference.
+Number most_apart(const BlockContext& block) {
+  return block.profile.parameter("3410").value_or(Number::millionths(10'000));
+}
+
+// R is less than half the chord, by no more than radii may be apart.
+bool is_semicircle(const BlockContext& block, const ArcEnds& ends) {
+  const Number limit = most_apart(block);
+  return limit.sign() > 0 &&
+         ends.chord_within((abs(block.words.length('R').value()) + limit) * 2) &&
+         block.readings.is("hnc.arc.small-radius=semicircle"_reading);
+}
+
 // Nothing when the rules are broken.
 Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
   if (ends.closed()) {
-    block.alarm(AlarmClass::arc_end_point, "HNC-COM-01"_clause, 'R',
-                "An arc given by R cannot end where it starts.");
+    if (block.readings.is("hnc.arc.closed=alarm"_reading)) {
+      block.alarm(AlarmClass::arc_end_point, "HNC-COM-01"_clause, 'R',
+                  "An arc given by R cannot end where it starts.");
+    }
     return std::nullopt;
   }
   const Centre centre = centre_from_radius(ends, block.words.length('R').value(), sense);
+  if (!centre && is_semicircle(block, ends)) return ends.middle();
   if (!centre) {
     block.alarm(AlarmClass::arc_radius, "HNC-COM-01"_clause, 'R',
                 radius_too_small(ends, block.words.length('R').value()));
@@ -37,7 +53,7 @@ void refuse_zero_radius(BlockContext& block, std::string message) {
 }
 
 // The centre from I and K, increments from the start and true lengths. The radii at start and end
-// may differ by parameter 3410; a negative one allows any difference.
+// may differ by parameter 3410.
 Centre centre_by_offsets(BlockContext& block, const ArcEnds& ends) {
   const OffsetCentre arc(
       ends, Vector_2(block.words.length('K').value_or(0), block.words.length('I').value_or(0)));
@@ -45,7 +61,7 @@ Centre centre_by_offsets(BlockContext& block, const ArcEnds& ends) {
     refuse_zero_radius(block, "The radius of the arc is zero.");
     return std::nullopt;
   }
-  const Number limit = block.profile.parameter("3410").value_or(Number::millionths(10'000));
+  const Number limit = most_apart(block);
   // However near its end is: no angle leads there from the centre.
   if (arc.begins_at_centre()) refuse_zero_radius(block, "The arc begins at its centre.");
   if (limit.sign() >= 0 && !arc.radii_agree(limit)) {
@@ -74,7 +90,7 @@ void run_arc(BlockContext& block, int sense) {
   const ArcEnds ends(axes_of(block.machine.plane), block.machine.position, to);
   const Centre centre =
       by_radius ? centre_by_radius(block, ends, sense) : centre_by_offsets(block, ends);
-  // Under hnc.arc.zero-radius = none there is no way to go.
+  // Under hnc.arc.zero-radius = none, or hnc.arc.closed = none, there is no way to go.
   if (centre)
     block.put(block.arc_to("HNC-COM-01"_clause, named, to, geometry::pair(*centre), sense));
 }

@@ -10,12 +10,42 @@
 #include "reference/reading_literal.hpp"
 
 namespace gonogo::reference::hnc21t {
+namespace {
+
+// HNC-MOD-04: whether F of a thread, and F of a cycle, is the ordinary feed matters only where it
+// differs.
+const std::optional<Number>& feed_in_force(const BlockContext& block) {
+  const Machine& machine = block.machine;
+  const auto own_of = [&](const FeedWords& words) -> const std::optional<Number>& {
+    return is_cycle(machine.motion) ? machine.command.feed : words.plain;
+  };
+  const FeedWords* words = &machine.feeds;
+  const FeedWords& any_f = machine.any_f;
+  const bool differ = words->latest != any_f.latest || own_of(*words) != own_of(any_f);
+  if (differ && block.readings.is("hnc.g32.lead=feed"_reading)) words = &any_f;
+  const std::optional<Number>& own = own_of(*words);
+  return own == words->latest || block.readings.is("hnc.modal.f=feed"_reading) ? words->latest
+                                                                               : own;
+}
+
+// HNC-MOD-04: the lead of a G32 that has none of its own: that of the last one, or F, which is one
+// word, as a lead.
+std::optional<Lead> earlier_lead(const BlockContext& block) {
+  using enum Lead::Kind;
+  const Machine& machine = block.machine;
+  if (machine.line_lead && block.readings.is("hnc.g32.lead=kept"_reading)) {
+    return machine.line_lead;
+  }
+  if (!machine.any_f.latest || !block.readings.is("hnc.g32.lead=feed"_reading)) return std::nullopt;
+  const std::optional<Number>& feed = feed_in_force(block);
+  if (!feed || feed->sign() <= 0) return std::nullopt;
+  return machine.modes.inch ? Lead{*feed / inches(1), f_under_g20} : Lead{*feed, millimetres};
+}
+
+}  // namespace
 
 void BlockContext::need_feed() {
-  // HNC-MOD-04: whether F of a cycle is the ordinary feed matters only where the two differ.
-  const auto& own = is_cycle(machine.motion) ? machine.command.feed : machine.plain_feed;
-  const bool same = own == machine.latest_feed;
-  const auto& feed = same || readings.is("hnc.modal.f=feed"_reading) ? machine.latest_feed : own;
+  const std::optional<Number>& feed = feed_in_force(*this);
   machine.feed = feed.value_or(0);
   BlockBase::need_feed(feed ? "HNC-COM-04"_clause : "HNC-COM-01"_clause);
 }
@@ -96,8 +126,7 @@ void run_thread(BlockContext& block) {
   const AxisSet axes = commanded_end_point(block, to);
   if (axes.empty()) return;
   std::optional<Lead>& lead = block.machine.command.lead;
-  const std::optional<Lead>& earlier = block.machine.line_lead;
-  if (!lead && earlier && block.readings.is("hnc.g32.lead=kept"_reading)) lead = earlier;
+  if (!lead) lead = earlier_lead(block);
   if (!lead) {
     block.alarm(AlarmClass::lead_missing, "HNC-MOD-04"_clause, 'F',
                 "The block cuts a thread, but no lead is in force.");

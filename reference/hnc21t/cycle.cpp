@@ -29,6 +29,25 @@ bool CommandWords::complete_from(const CommandWords& earlier) {
   return lacks_any;
 }
 
+void CommandWords::scale_lengths(const Number& factor, bool counts) {
+  if (i && !counts) i = *i * factor;
+  if (k) k = *k * factor;
+  for (std::optional<ScaledLength>* word : {&r, &e, &q}) {
+    if (*word) (*word)->value = (*word)->value * factor;
+  }
+}
+
+void carry_lengths(Machine& machine, const ReadingsInUse& readings) {
+  const bool counts = machine.motion == 75;
+  const bool ended_counts = machine.ended == 75;
+  const bool has_ended = machine.ended != 0 && machine.ended_words.has_lengths(ended_counts);
+  if (!machine.command.has_lengths(counts) && !has_ended) return;
+  if (readings.is("hnc.retained=length"_reading)) return;
+  const Number factor = machine.modes.inch ? inches(1) : Number(1) / inches(1);
+  machine.command.scale_lengths(factor, counts);
+  machine.ended_words.scale_lengths(factor, ended_counts);
+}
+
 // HNC-MOD-05: whether words live on through a code outside the group is asked where they are used.
 void change_command(Machine& machine, int motion) {
   if (is_cycle(machine.motion) && !is_cycle(motion)) {

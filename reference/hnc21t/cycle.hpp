@@ -13,6 +13,8 @@ namespace gonogo::reference::hnc21t {
 // HNC-MOD-01: another motion code, or the one in force as a command of its own, takes the place of
 // the command.
 void change_command(Machine& machine, int motion);
+// HNC-MOD-05: the units have changed; what retained lengths are in the new ones is a reading.
+void carry_lengths(Machine& machine, const ReadingsInUse& readings);
 // HNC-MOD-01: words of this block replace the retained ones.
 void take_command_words(BlockContext& block);
 // HNC-MOD-03: whether the block lacks an axis that the cycle needs, and so does nothing, as one

@@ -141,6 +141,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     no_effect("G40", Group::compensation, "radius compensation off").initial(),
     outside("G41", Group::compensation, "radius compensation left"),
     outside("G42", Group::compensation, "radius compensation right"),
+    outside("G46", Group::speed, "limits of the spindle speed"),
     outside("G52", Group::once, "local coordinate system"),
     outside("G53", Group::once, "machine coordinates"),
     sets("G54", Group::offset, Setting::none, "work offset 1"),

@@ -72,11 +72,14 @@ void check_pair(BlockContext& block, const RunOut& run_out) {
               "A run-out needs both R and E.");
 }
 
-// HNC-G82-12: a word whose partner is in force from an earlier block.
+// HNC-G82-12: a word whose partner is in force from an earlier block, or one of zero without a
+// partner.
 void note_lone_words(const BlockContext& block) {
   const BlockWords& words = block.words;
   const CommandWords& command = block.machine.command;
-  const bool is_run_out = command.r && command.e && words.has('R') != words.has('E');
+  const bool has_both = command.r && command.e;
+  const bool has_one = !has_both && (command.r || command.e);
+  const bool is_run_out = has_one || (has_both && words.has('R') != words.has('E'));
   const bool counts = command.c.value_or(0) > Number(1) && words.has('C') && !words.has('P');
   if (is_run_out || (counts && command.p)) block.out.accept("HNC-G82-12"_clause);
 }

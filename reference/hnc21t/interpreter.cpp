@@ -61,7 +61,8 @@ Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings)
     : profile_(profile), readings_(readings) {
   machine_.position = profile.initial.at;
   if (profile.initial.feed.sign() > 0) {
-    machine_.latest_feed = machine_.plain_feed = profile.initial.feed;
+    machine_.feeds.latest = machine_.feeds.plain = profile.initial.feed;
+    machine_.any_f = machine_.feeds;
   }
   machine_.motion = profile.initial.motion;
   machine_.modes = {profile.units == Units::inch, profile.x_diameter, false};
@@ -96,20 +97,26 @@ void Interpreter::take_motion_code(const BlockCodes& codes) {
 
 // F of an earlier block where the units change, or the feed between minutes and revolutions.
 void Interpreter::carry_feed(const FeedBasis& before) {
-  CommandWords& command = machine_.command;
-  const std::array feeds = {&machine_.latest_feed, &machine_.plain_feed, &command.feed};
-  const auto is_given = [](const std::optional<Number>* feed) { return feed->has_value(); };
-  if (std::ranges::none_of(feeds, is_given)) return;
+  std::optional<Number>& of_cycle = machine_.command.feed;
+  const std::array words = {&machine_.feeds, &machine_.any_f};
+  if (!machine_.any_f.latest) return;  // nor any other
   if (machine_.feed_mode != before.mode && readings_.is("hnc.feed-change=deleted"_reading)) {
-    for (std::optional<Number>* feed : feeds) feed->reset();
+    for (FeedWords* given : words) *given = {};
+    of_cycle.reset();
     return;
   }
   const bool inch = machine_.modes.inch;
-  if (inch == before.inch || !machine_.is_feed_written) return;  // one of power-on has no number
+  if (inch == before.inch || !machine_.any_f.is_written) return;
   if (readings_.is("hnc.feed-units=length"_reading)) return;
-  for (std::optional<Number>* feed : feeds) {
-    if (*feed) *feed = inch ? inches(**feed) : **feed / inches(1);
+  const auto take_number = [&](std::optional<Number>& feed) {
+    if (feed) *feed = inch ? inches(*feed) : *feed / inches(1);
+  };
+  for (FeedWords* given : words) {
+    if (!given->is_written) continue;  // one of power-on has no number
+    take_number(given->latest);
+    take_number(given->plain);
   }
+  take_number(of_cycle);
 }
 
 // HNC-MOD-04
@@ -117,13 +124,10 @@ void Interpreter::take_feed(const BlockWords& words, BlockOutput& out) {
   if (cuts_thread(machine_.motion)) return take_lead(words, out);
   const std::optional<Number> feed = words.length('F');
   if (!feed) return;
-  machine_.is_feed_written = true;
-  machine_.latest_feed = *feed;
-  if (is_cycle(machine_.motion)) {
-    machine_.command.feed = feed;
-  } else {
-    machine_.plain_feed = *feed;
-  }
+  const bool in_cycle = is_cycle(machine_.motion);
+  machine_.feeds.give(*feed, in_cycle);
+  machine_.any_f.give(*feed, in_cycle);
+  if (in_cycle) machine_.command.feed = feed;
 }
 
 // HNC-G82-08: a later one replaces the one in force.
@@ -133,6 +137,7 @@ void Interpreter::take_lead(const BlockWords& words, BlockOutput& out) {
   if (lead && words.has(lead->kind == j ? 'F' : 'J')) out.accept("HNC-G82-08"_clause);
   if (words.has('F')) {
     lead = Lead{words.written('F'), machine_.modes.inch ? f_under_g20 : millimetres};
+    machine_.any_f.give(words.length('F').value(), is_cycle(machine_.motion));
   }
   if (words.has('J')) lead = Lead{words.written('J'), j};
   if (lead && machine_.motion == 32) machine_.line_lead = lead;
@@ -276,6 +281,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   } else if (!out.not_covered) {
     BlockContext context{{machine_, words, profile_, readings_, line, out}, machine_, words, codes};
     check_words(words, codes, out);
+    if (machine_.modes.inch != before.inch) carry_lengths(machine_, readings_);
     carry_feed(before);
     take_feed(words, out);
     if (out.notes_acceptances) note_unused_words(context);

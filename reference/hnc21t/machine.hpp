@@ -56,6 +56,22 @@ struct CommandWords {
   // Takes what it lacks of the words of an earlier command, but no feed and no end point. Whether
   // it lacks any.
   bool complete_from(const CommandWords& earlier);
+  // The words that are lengths. `counts`: I is a count.
+  bool has_lengths(bool counts) const { return (i && !counts) || k || r || e || q; }
+  void scale_lengths(const Number& factor, bool counts);
+};
+
+// HNC-MOD-04: F in force as a feed: the last one, and the last of those outside the cycles.
+struct FeedWords {
+  std::optional<Number> latest;
+  std::optional<Number> plain;
+  bool is_written = false;  // by the program, not of power-on
+
+  void give(const Number& feed, bool in_cycle) {
+    latest = feed;
+    if (!in_cycle) plain = feed;
+    is_written = true;
+  }
 };
 
 // Positions are in the base frame: the work offset in force is added to absolute words.
@@ -70,10 +86,8 @@ struct Machine : MotionState {
   int ended = 0;
   CommandWords ended_words;
   std::optional<Lead> line_lead;  // HNC-MOD-04: the last of G32
-  // HNC-MOD-04: the last F that is no lead, and the last of those outside the cycles.
-  std::optional<Number> latest_feed;
-  std::optional<Number> plain_feed;
-  bool is_feed_written = false;  // by the program, not of power-on
+  FeedWords feeds;                // each F that is no lead
+  FeedWords any_f;                // each F, which hnc.g32.lead = feed has for one word
 };
 
 // One block in the hands of the file that carries its code.

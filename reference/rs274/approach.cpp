@@ -40,10 +40,7 @@ class Way {
  private:
   void traverse(const Position& to, AxisSet named, ClauseId clause) {
     if (to == at_) return;
-    Record record;
-    record.kind = RecordKind::rapid;
-    record.block = line_;
-    record.clause = clause;
+    Record record = record_of(RecordKind::rapid, line_, clause);
     record.axes = named;
     record.to = at_ = to;
     approach_.traverses.push_back(std::move(record));

@@ -18,13 +18,12 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to) {
   const Machine& machine = block.machine;
   to = machine.position;
   const bool is_of_machine = block.codes.once == 530;
-  Position places;
+  const bool adds = machine.modes.incremental && !is_of_machine;
   for (const AxisLetter& letter : kAxisLetters) {
     const std::optional<Number> value = block.words.along(letter);
     if (!value) continue;
     axes.add(letter.axis);
-    places[letter.axis] = *value;
-    to[letter.axis] = machine.modes.incremental ? to[letter.axis] + *value : *value;
+    to[letter.axis] = adds ? to[letter.axis] + *value : *value;
   }
   if (block.words.is_polar()) {
     axes.add(Axis::x);
@@ -34,9 +33,7 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to) {
     to[Axis::y] = end[1];
   }
   // NGC-OFS-13
-  if (is_of_machine) {
-    to = at_machine_places(machine.offsets.frame, machine.position, axes, places);
-  }
+  if (is_of_machine) to = at_machine_places(machine.offsets.frame, machine.position, axes, to);
   return axes;
 }
 
@@ -101,11 +98,8 @@ void run_dwell(BlockContext& block) {
     block.missing("NGC-G4-01"_clause, 'P');
     return;
   }
-  if (block.codes.motion == 2 || block.codes.motion == 3) block.out.accept("NGC-G4-03"_clause);
-  Record record;
-  record.kind = RecordKind::dwell;
-  record.block = block.line;
-  record.clause = "NGC-G4-01"_clause;
+  if (is_arc(block.codes.motion)) block.out.accept("NGC-G4-03"_clause);
+  Record record = record_of(RecordKind::dwell, block.line, "NGC-G4-01"_clause);
   record.seconds = block.words.written('P');
   if (decided("NGC-G4-01"_clause, "P", record.seconds) < 0) {
     block.alarm(AlarmClass::value_sign, "NGC-G4-01"_clause, 'P',

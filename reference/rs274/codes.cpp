@@ -66,8 +66,10 @@ Alarm g80_beside(const grammar::Word& word) {
 void read_codes(const grammar::Block& block, const ReadingsInUse& readings, CodeReading& reading) {
   reading.clear();
   BesideG80 beside;
-  for (const grammar::Word& word : block.words) {
-    if (word.address == 'G') beside.add(code_of(word, readings));
+  if (std::ranges::count(block.words, 'G', &grammar::Word::address) > 1) {
+    for (const grammar::Word& word : block.words) {
+      if (word.address == 'G') beside.add(code_of(word, readings));
+    }
   }
   const bool is_beside = beside.matters();
   const bool alarms = is_beside && !readings.is("ngc.g80-beside=ignored"_reading);

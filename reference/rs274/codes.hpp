@@ -35,6 +35,9 @@ struct CodeReading : GCodeReading {
 };
 void read_codes(const grammar::Block& block, const ReadingsInUse& readings, CodeReading& reading);
 
+constexpr bool is_arc(int motion) {
+  return motion == 2 || motion == 3;
+}
 // NGC-CYC-01: whether the motion is a cycle of holes.
 bool is_hole_cycle(int motion);
 // The words that the motion of this number takes or ignores; none of kNoMotion.

@@ -166,6 +166,10 @@ inline constexpr WordLists kPlain = {kHole, kPolar};
 inline constexpr WordLists kDwelling = {kHole, kPolar, kHoleDwell};
 inline constexpr WordLists kPecking = {kHole, kPolar, kPecks};
 
+constexpr Code of_linuxcnc(std::string_view name, Group group, std::string_view title,
+                           const WordLists& words = {}) {
+  return m_function(name, Kind::machine, group, title, words).needing("linuxcnc");
+}
 inline constexpr Code kOff =
     does(Kind::off, Group::motion, "NGC-MOD-01"_clause, "basic", {}).initial();
 
@@ -298,36 +302,23 @@ inline constexpr auto kCodes = std::to_array<Code>({
     m_function("M30", Kind::program_end, Group::program, "end of the program"),
     m_function("M48", Kind::machine, Group::override_switches, "overrides on"),
     m_function("M49", Kind::machine, Group::override_switches, "overrides off"),
-    m_function("M50", Kind::machine, Group::override_switches, "feed override", {kSwitch})
-        .needing("linuxcnc"),
-    m_function("M51", Kind::machine, Group::override_switches, "spindle override", {kSwitch})
-        .needing("linuxcnc"),
-    m_function("M52", Kind::machine, Group::override_switches, "adaptive feed", {kSwitch})
-        .needing("linuxcnc"),
-    m_function("M53", Kind::machine, Group::override_switches, "feed stop", {kSwitch})
-        .needing("linuxcnc"),
+    of_linuxcnc("M50", Group::override_switches, "feed override", {kSwitch}),
+    of_linuxcnc("M51", Group::override_switches, "spindle override", {kSwitch}),
+    of_linuxcnc("M52", Group::override_switches, "adaptive feed", {kSwitch}),
+    of_linuxcnc("M53", Group::override_switches, "feed stop", {kSwitch}),
     m_function("M60", Kind::stop, Group::program, "stop for a pallet change"),
-    m_function("M61", Kind::machine, Group::tool, "number of the tool", {kToolNumber})
-        .needing("linuxcnc"),
-    m_function("M62", Kind::machine, Group::signals, "output on, with motion", {kSwitch})
-        .needing("linuxcnc"),
-    m_function("M63", Kind::machine, Group::signals, "output off, with motion", {kSwitch})
-        .needing("linuxcnc"),
-    m_function("M64", Kind::machine, Group::signals, "output on", {kSwitch}).needing("linuxcnc"),
-    m_function("M65", Kind::machine, Group::signals, "output off", {kSwitch}).needing("linuxcnc"),
-    m_function("M66", Kind::machine, Group::signals, "wait for an input", {kInput})
-        .needing("linuxcnc"),
-    m_function("M67", Kind::machine, Group::signals, "analogue output, with motion", {kAnalogue})
-        .needing("linuxcnc"),
-    m_function("M68", Kind::machine, Group::signals, "analogue output", {kAnalogue})
-        .needing("linuxcnc"),
-    m_function("M70", Kind::machine, Group::saved_modes, "modes saved").needing("linuxcnc"),
-    m_function("M71", Kind::machine, Group::saved_modes, "saved modes forgotten")
-        .needing("linuxcnc"),
-    m_function("M72", Kind::machine, Group::saved_modes, "modes restored").needing("linuxcnc"),
-    m_function("M73", Kind::machine, Group::saved_modes,
-               "modes saved, and restored after the subroutine")
-        .needing("linuxcnc"),
+    of_linuxcnc("M61", Group::tool, "number of the tool", {kToolNumber}),
+    of_linuxcnc("M62", Group::signals, "output on, with motion", {kSwitch}),
+    of_linuxcnc("M63", Group::signals, "output off, with motion", {kSwitch}),
+    of_linuxcnc("M64", Group::signals, "output on", {kSwitch}),
+    of_linuxcnc("M65", Group::signals, "output off", {kSwitch}),
+    of_linuxcnc("M66", Group::signals, "wait for an input", {kInput}),
+    of_linuxcnc("M67", Group::signals, "analogue output, with motion", {kAnalogue}),
+    of_linuxcnc("M68", Group::signals, "analogue output", {kAnalogue}),
+    of_linuxcnc("M70", Group::saved_modes, "modes saved"),
+    of_linuxcnc("M71", Group::saved_modes, "saved modes forgotten"),
+    of_linuxcnc("M72", Group::saved_modes, "modes restored"),
+    of_linuxcnc("M73", Group::saved_modes, "modes saved, and restored after the subroutine"),
     m_function("M98", Kind::stop, Group::program, "call of a subprogram", {kSubprogram})
         .needing("subprograms"),
     m_function("M99", Kind::stop, Group::program, "end of a subprogram").needing("subprograms"),

@@ -191,23 +191,8 @@ bool Calculator::apply(const grammar::Block& block, const grammar::Term& term) {
     case TermKind::named:
     case TermKind::exists:
       return push_named(block.names[static_cast<std::size_t>(term.number.magnitude)], term);
-    case TermKind::negate:
-    case TermKind::plus:
-    case TermKind::abs:
-    case TermKind::acos:
-    case TermKind::asin:
-    case TermKind::cos:
-    case TermKind::exp:
-    case TermKind::fix:
-    case TermKind::fup:
-    case TermKind::ln:
-    case TermKind::round:
-    case TermKind::sin:
-    case TermKind::sqrt:
-    case TermKind::tan:
-      return apply_one(term) && is_kept(term);
     default:
-      return apply_two(term) && is_kept(term);
+      return (takes_two(term.kind) ? apply_two(term) : apply_one(term)) && is_kept(term);
   }
 }
 

@@ -25,6 +25,13 @@ Position difference(Position a, const Position& b) {
   return a;
 }
 
+Frame::Frame(const Number& angle) : is_turned(angle.sign() != 0) {
+  if (!is_turned) return;
+  const auto [cosine_of_angle, sine_of_angle] = exact::cos_sin_degrees(angle);
+  cosine = cosine_of_angle;
+  sine = sine_of_angle;
+}
+
 Position Frame::turned(Position way) const {
   if (is_turned) turn_xy(way, cosine, sine);
   return way;
@@ -67,12 +74,31 @@ void Frame::move(Record& record, Position& at) const {
   record.centre = {centre[axes.p], centre[axes.q]};
 }
 
+namespace {
+
+// The same motions in coordinates of the machine; they begin `at`.
 Generator<Item> moved(Generator<Item> items, Frame frame, Position at) {
   while (const Item* item = items.next()) {
     Item other = *item;
     if (auto* const record = std::get_if<Record>(&other)) frame.move(*record, at);
     co_yield other;
   }
+}
+
+}  // namespace
+
+void move_out(const Frame& frame, const Position& at, BlockOutput& out) {
+  if (!frame.is_moved) return;
+  const auto move = [&](std::vector<Item>& items) {
+    Position end = at;
+    for (Item& item : items) {
+      if (auto* const record = std::get_if<Record>(&item)) frame.move(*record, end);
+    }
+    return end;
+  };
+  move(out.before_alarm);
+  out.cycle = moved(std::move(out.cycle), frame, move(out.items));
+  for (NamedPlace& place : out.cycle_places.places) place.at = frame.to_machine(place.at);
 }
 
 Position at_machine_places(const Frame& frame, const Position& from, AxisSet& axes,
@@ -89,13 +115,7 @@ Position at_machine_places(const Frame& frame, const Position& from, AxisSet& ax
 Position origin_by_words(const BlockContext& block, const Position& origin, const Number& angle,
                          const Position& shift) {
   const Machine& machine = block.machine;
-  Frame frame;
-  frame.is_turned = angle.sign() != 0;
-  if (frame.is_turned) {
-    const auto [cosine, sine] = exact::cos_sin_degrees(angle);
-    frame.cosine = cosine;
-    frame.sine = sine;
-  }
+  const Frame frame(angle);
   const Position here = machine.offsets.frame.to_machine(machine.position);
   Position coordinates = difference(frame.turned_back(difference(here, origin)), shift);
   each_axis_word(block, [&](Axis axis, const Number& value) { coordinates[axis] = value; });

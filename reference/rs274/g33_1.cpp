@@ -6,21 +6,6 @@
 #include "reference/rs274/synchronous.hpp"
 
 namespace gonogo::reference::rs274 {
-namespace {
-
-// NGC-G331-02
-Record reversal(const BlockContext& block, int m) {
-  Record record;
-  record.kind = RecordKind::m;
-  record.block = block.line;
-  record.clause = "NGC-G331-02"_clause;
-  record.m = m;
-  record.among_motions = true;
-  return record;
-}
-
-}  // namespace
-
 // NGC-G331-01
 void run_g33_1(BlockContext& block) {
   const ClauseId clause = "NGC-G331-01"_clause;
@@ -28,12 +13,14 @@ void run_g33_1(BlockContext& block) {
   if (!in) return;
   SynchronousMotion out = *in;
   out.to = block.machine.position;
+  // NGC-G331-02
   const int sense = block.machine.spindle;
+  const auto turn = [&](int m) { block.put(function_record(block.line, "NGC-G331-02"_clause, m)); };
   const bool moves = in->moves_from(out.to);
   if (moves) block.put(thread_to(block, clause, *in));
-  block.put(reversal(block, sense == 3 ? 4 : 3));
+  turn(sense == 3 ? 4 : 3);
   if (moves) block.put(thread_to(block, clause, out));
-  block.put(reversal(block, sense));
+  turn(sense);
 }
 
 }  // namespace gonogo::reference::rs274

@@ -3,6 +3,7 @@
 
 #include "reference/clause_literal.hpp"
 #include "reference/rs274/idle.hpp"
+#include "reference/rs274/m_functions.hpp"
 
 namespace gonogo::reference::rs274 {
 
@@ -12,10 +13,7 @@ std::array<Number, 2> Holes::place(const Number& k) const {
 }
 
 Record Holes::along(RecordKind kind, ClauseId clause, const Number& level) const {
-  Record record;
-  record.kind = kind;
-  record.block = line;
-  record.clause = clause;
+  Record record = record_of(kind, line, clause);
   record.axes.add(axes.d);
   record.to[axes.d] = level;
   return record;
@@ -33,32 +31,20 @@ Record Holes::feed(ClauseId clause, const Number& level) const {
 }
 
 Record Holes::dwell(ClauseId clause) const {
-  Record record;
-  record.kind = RecordKind::dwell;
-  record.block = line;
-  record.clause = clause;
+  Record record = record_of(RecordKind::dwell, line, clause);
   record.seconds = dwell_time;
   return record;
 }
 
 Record Holes::spindle_function(ClauseId clause, int m) const {
-  Record record;
-  record.kind = RecordKind::m;
-  record.block = line;
-  record.clause = clause;
-  record.m = m;
-  record.among_motions = true;
-  return record;
+  return function_record(line, clause, m);
 }
 
 namespace {
 
 // NGC-CYC-13, NGC-CYC-14: from one hole to the next, at the level on which the tool is.
 Record across(const Holes& holes, const Number& k) {
-  Record record;
-  record.kind = RecordKind::rapid;
-  record.block = holes.line;
-  record.clause = "NGC-CYC-13"_clause;
+  Record record = record_of(RecordKind::rapid, holes.line, "NGC-CYC-13"_clause);
   const std::array<Number, 2> place = holes.place(k);
   record.axes = {holes.axes.p, holes.axes.q};
   record.to[holes.axes.p] = place[0];

@@ -19,6 +19,7 @@
 #include "reference/rs274/other_classes.hpp"
 #include "reference/rs274/polar_words.hpp"
 #include "reference/rs274/program_text.hpp"
+#include "reference/rs274/tool_lengths.hpp"
 #include "reference/rs274/unused_words.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -44,19 +45,17 @@ class Interpreter : public BlockInterpreter {
   bool refuses_length(BlockOutput& out) const;
   void run_line(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
   bool calculate(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
+  bool read_words(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
   void run_words(std::uint64_t line, const grammar::Block& block, const WordValues* values,
                  BlockOutput& out);
   void take_feed_mode(const BlockWords& words, int mode);
   void take_feed(const BlockWords& words, const BlockCodes& codes);
-  void run_subprogram(const BlockWords& words, std::uint64_t line, BlockOutput& out);
+  void run_subprogram(const BlockContext& block);
   void take_spindle(const MFunctions& functions);
   void take_modes(const BlockCodes& codes, std::uint64_t line);
-  void take_overrides(const BlockContext& block);
-  void take_tool(const BlockWords& words, BlockOutput& out);
+  void take_tool(const BlockContext& block);
   void take_motion(int code);
-  void move_out(const Position& at, BlockOutput& out) const;
   void run_block(BlockContext& block) const;
-  void run_motion(BlockContext& block) const;
 
   const Profile& profile_;
   const ReadingsInUse& readings_;
@@ -93,22 +92,6 @@ const Position& Interpreter::position() const {
 void Interpreter::stand_at(const Position& position) {
   machine_.position = machine_.offsets.frame.to_program(position);
   machine_.polar.reset();
-}
-
-// NGC-OFS-01: what the block put out, in coordinates of the machine; its motions begin `at`.
-void Interpreter::move_out(const Position& at, BlockOutput& out) const {
-  const Frame& frame = machine_.offsets.frame;
-  if (!frame.is_moved) return;
-  Position of_items = at;
-  Position of_others = at;
-  for (Item& item : out.items) {
-    if (auto* const record = std::get_if<Record>(&item)) frame.move(*record, of_items);
-  }
-  for (Item& item : out.before_alarm) {
-    if (auto* const record = std::get_if<Record>(&item)) frame.move(*record, of_others);
-  }
-  out.cycle = moved(std::move(out.cycle), frame, of_items);
-  for (NamedPlace& place : out.cycle_places.places) place.at = frame.to_machine(place.at);
 }
 
 // NGC-COM-13: what a carriage return is has to be known before the first line.
@@ -156,29 +139,13 @@ void Interpreter::take_spindle(const MFunctions& functions) {
   if (functions[9]) machine_.has_mist = machine_.has_flood = false;
 }
 
-// NGC-SAV-01: what M72 would have to restore. M50 to M53 switch off with P0, and on without P.
-void Interpreter::take_overrides(const BlockContext& block) {
-  const MFunctions& functions = block.functions;
-  if (functions.none()) return;
-  Overrides& overrides = machine_.overrides;
-  const bool is_on = !block.words.has('P') || block.words.written('P').sign() != 0;
-  if (functions[48] || functions[49]) overrides.feed = overrides.speed = functions[48];
-  if (functions[50]) overrides.feed = is_on;
-  if (functions[51]) overrides.speed = is_on;
-  if (functions[52]) overrides.adaptive_feed = is_on;
-  if (functions[53]) overrides.feed_hold = is_on;
-}
-
 // NGC-OFS-08: T selects a tool, M6 loads it, M61 says which one is loaded; all before G43.
-void Interpreter::take_tool(const BlockWords& words, BlockOutput& out) {
-  if (words.has('T')) machine_.tool.selected = words.written('T');
-  for (const grammar::Word& word : words.block().words) {
-    if (word.address != 'M') continue;
-    const std::int64_t number = m_number(word, readings_).value_or(0);
-    if (number == 6 && !machine_.tool.selected) out.accept("NGC-COM-14"_clause);
-    if (number == 6) machine_.tool.loaded = machine_.tool.selected;
-    if (number == 61 && words.has('Q')) machine_.tool.loaded = words.written('Q');
-  }
+void Interpreter::take_tool(const BlockContext& block) {
+  ToolState& tool = machine_.tool;
+  if (block.words.has('T')) tool.selected = block.words.written('T');
+  if (block.functions[6] && !tool.selected) block.out.accept("NGC-COM-14"_clause);
+  if (block.functions[6]) tool.loaded = tool.selected;
+  if (block.functions[61] && block.words.has('Q')) tool.loaded = block.words.written('Q');
 }
 
 // NGC-CYC-24, NGC-CYC-25: any code of motion but a cycle ends a series of cycles, and no other code
@@ -222,10 +189,6 @@ void check_axes(const grammar::Block& block, std::uint64_t line, BlockOutput& ou
   }
 }
 
-bool is_arc(int motion) {
-  return motion == 2 || motion == 3;
-}
-
 // A motion is asked for by its code or an axis word; NGC-ARC-06: an arc by I J K alone, too.
 bool runs_motion(const Machine& machine, const BlockWords& words, const BlockCodes& codes,
                  const ReadingsInUse& readings) {
@@ -235,77 +198,13 @@ bool runs_motion(const Machine& machine, const BlockWords& words, const BlockCod
          readings.is("ngc.arc-words-alone=arc"_reading);
 }
 
-// NGC-OFS-16: whether turned axes take the motion out of the planes that records have.
-bool leaves_plane(BlockContext& block) {
-  const int motion = block.machine.motion;
-  const bool is_of_plane = is_arc(motion) && block.machine.plane != Plane::g17;
-  const bool has_lead = motion == 33 || motion == kG33Point1 || motion == 76;
-  if (!block.machine.offsets.frame.is_turned || (!is_of_plane && !has_lead)) return false;
-  block.out.not_covered =
-      NotCovered{block.line, "rotation",
-                 "The gauge reads no thread, and of arcs those in G17 alone, while G10 L2 R turns "
-                 "the axes X and Y.",
-                 block.places.place_of('G').value_or(grammar::Span{})};
-  return true;
-}
-
-// NGC-MOD-01: the motion in force.
-void Interpreter::run_motion(BlockContext& block) const {
-  if (machine_.motion == kNoMotion && block.words.has_axis_word() &&
-      !takes_axis_words(block.codes)) {
-    block.alarm(
-        AlarmClass::missing_word, "NGC-MOD-01"_clause, 'G',
-        machine_.motion_ended != 0
-            ? fmt::format("No motion is in force for the axis words: G80 of line {} ended it.",
-                          machine_.motion_ended)
-            : std::string("No motion is in force for the axis words: none was given yet."));
-  }
-  if (!block.runs_motion || leaves_plane(block) || !fits_modes(block)) return;
-  switch (machine_.motion) {
-    case 0:
-      return run_traverse(block);
-    case 1:
-      return run_straight_feed(block);
-    case 2:
-    case 3:
-      return run_arc(block, machine_.motion == 2 ? -1 : +1);
-    case 33:
-      return run_g33(block);
-    case kG33Point1:
-      return run_g33_1(block);
-    case 73:
-      return run_g73(block);
-    case 74:
-      return run_g74(block);
-    case 76:
-      return run_g76(block);
-    case 81:
-      return run_g81(block);
-    case 82:
-      return run_g82(block);
-    case 83:
-      return run_g83(block);
-    case 84:
-      return run_g84(block);
-    case 85:
-      return run_g85(block);
-    case 86:
-      return run_g86(block);
-    case 89:
-      return run_g89(block);
-    default:
-      return;
-  }
-}
-
 // Rules that ask for no other word but one like it.
-void check_each_word(const BlockWords& words, const Profile& profile, const ReadingsInUse& readings,
-                     std::vector<Alarm>& alarms) {
+void check_each_word(BlockContext& block) {
   const ClauseId clause = "NGC-COM-01"_clause;
-  check_repeated_addresses(words, clause, alarms, "GM@^");
-  check_m_groups(words.block(), readings, alarms);
-  check_feed_sign(words, clause, alarms);
-  check_spindle_and_tool(words, profile, readings, alarms);
+  check_repeated_addresses(block.words, clause, block.out.alarms, "GM@^");
+  check_m_groups(block.words.block(), block.readings, block.out.alarms);
+  check_feed_sign(block.words, clause, block.out.alarms);
+  check_spindle_and_tool(block);
 }
 
 // NGC-G4-02: whether the motion alone is wrong, and not for want of a word that is looked for when
@@ -409,48 +308,52 @@ void Interpreter::run_line(std::uint64_t line, const grammar::Block& block, Bloc
   run_words(line, calculated_.block(), &calculated_.values(), out);
 }
 
-void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
-                            const WordValues* values, BlockOutput& out) {
-  if (block.words.empty()) return check_numbers(block, readings_, out);
+// Whether the words of the block can run, or be checked at least.
+bool Interpreter::read_words(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
   read_codes(block, readings_, reading_);
   if (reading_.not_covered) {
     out.not_covered = std::move(reading_.not_covered);
     out.not_covered->block = line;
-    return;
+    return false;
   }
-  const BlockCodes& codes = reading_.codes;
-  const bool has_undefined_code = std::ranges::any_of(reading_.alarms, [](const Alarm& alarm) {
-    return alarm.alarm == AlarmClass::undefined_code;
-  });
   check_axes(block, line, out);
   take_m_functions(block, line, readings_, out);
   if (out.not_covered) {
-    // What is not covered goes before what is wrong.
-    out.alarms.clear();
-    return;
+    out.alarms.clear();  // what is not covered goes before what is wrong
+    return false;
   }
   check_numbers(block, readings_, out);
   if (!out.alarms.empty() && out.alarms.back().alarm == AlarmClass::syntax) {
     // A block that cannot be read yields the syntax alarm alone.
     out.alarms.erase(out.alarms.begin(), out.alarms.end() - 1);
-    return;
+    return false;
   }
+  return true;
+}
+
+void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
+                            const WordValues* values, BlockOutput& out) {
+  if (block.words.empty()) return check_numbers(block, readings_, out);
+  if (!read_words(line, block, out)) return;
+  const BlockCodes& codes = reading_.codes;
   out.alarms.insert(out.alarms.end(), reading_.alarms.begin(), reading_.alarms.end());
   const BlockWords words(block, machine_.modes, values);
-  check_each_word(words, profile_, readings_, out.alarms);
-  check_signals(words, profile_, readings_, out);
-  if (has_undefined_code) {
+  BlockContext context{
+      {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters};
+  check_each_word(context);
+  check_signals(context);
+  const auto is_undefined = [](const Alarm& alarm) {
+    return alarm.alarm == AlarmClass::undefined_code;
+  };
+  if (std::ranges::any_of(reading_.alarms, is_undefined)) {
     // What else is wrong depends on what an unknown code would be.
     sort_by_place(out.alarms);
     return;
   }
   take_feed(words, codes);
-  const MFunctions functions = m_functions_of(block, readings_);
-  take_spindle(functions);
-  take_tool(words, out);
-  BlockContext context{
-      {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters};
-  context.functions = functions;
+  context.functions = m_functions_of(block, readings_);
+  take_spindle(context.functions);
+  take_tool(context);
   saved_.take(context);
   take_overrides(context);
   const bool has_diameters = machine_.modes.diameter;
@@ -462,26 +365,28 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
   context.p_is_turns = context.runs_motion && is_arc(machine_.motion) && words.has('P') &&
                        !is_taken_beside_motion(context, 'P');
   run_block(context);
-  move_out(context.start, out);
+  move_out(machine_.offsets.frame, context.start, out);
   if (out.not_covered) out.alarms.clear();  // what is not covered goes before what is wrong
   sort_by_place(out.alarms);
-  if (out.alarms.empty() && !out.not_covered) run_subprogram(words, line, out);
+  if (out.alarms.empty() && !out.not_covered) run_subprogram(context);
 }
 
-// NGC-OWD-13: M98 and M99 come behind all else of their block.
-void Interpreter::run_subprogram(const BlockWords& words, std::uint64_t line, BlockOutput& out) {
+// NGC-OWD-13: M98 and M99 come behind all else of their block; each stands alone in it.
+void Interpreter::run_subprogram(const BlockContext& block) {
+  if (!block.functions[98] && !block.functions[99]) return;
+  BlockOutput& out = block.out;
+  const grammar::Span& where = block.words.word('M')->where;
   const std::size_t calls = o_words_.calls();
   bool is_kept = true;
-  for (const grammar::Word& word : words.block().words) {
-    const std::int64_t number = word.address == 'M' ? m_number(word, readings_).value_or(0) : 0;
-    if (number == 98) o_words_.call_numbered(words, word.where, out);
-    if (number != 99) continue;
-    o_words_.end_numbered(line, word.where, out);
+  if (block.functions[98]) {
+    o_words_.call_numbered(block.words, where, out);
+  } else {
+    o_words_.end_numbered(block.line, where, out);
     // NGC-SAV-01: what a pass has saved ends with it, also where another pass follows.
     if (out.alarms.empty() && !out.not_covered) is_kept = saved_.follow(calls - 1, machine_);
   }
   is_kept = saved_.follow(o_words_.calls(), machine_) && is_kept;
-  if (!is_kept) out.not_covered = left_running(line);
+  if (!is_kept) out.not_covered = left_running(block.line);
   if (!out.alarms.empty() || out.not_covered) {
     out.items.clear();
     out.cycle = {};

@@ -30,21 +30,6 @@ bool is_value(TermKind kind) {
   return kind == TermKind::number || kind == TermKind::named || kind == TermKind::exists;
 }
 
-bool takes_two(TermKind kind) {
-  switch (kind) {
-    case TermKind::add:
-    case TermKind::subtract:
-    case TermKind::multiply:
-    case TermKind::divide:
-    case TermKind::power:
-    case TermKind::modulo:
-    case TermKind::atan:
-      return true;
-    default:
-      return is_comparison(kind) || is_logic(kind);
-  }
-}
-
 void append(Places& places, const Places& more) {
   places.insert(places.end(), more.begin(), more.end());
 }
@@ -79,6 +64,21 @@ Operand joined(Operand left, Operand right, const grammar::Term& term, std::uint
 }
 
 }  // namespace
+
+bool takes_two(TermKind kind) {
+  switch (kind) {
+    case TermKind::add:
+    case TermKind::subtract:
+    case TermKind::multiply:
+    case TermKind::divide:
+    case TermKind::power:
+    case TermKind::modulo:
+    case TermKind::atan:
+      return true;
+    default:
+      return is_comparison(kind) || is_logic(kind);
+  }
+}
 
 bool has_logic_before_sum(const grammar::Block& block, const grammar::TermRange& range) {
   const std::span<const grammar::Term> terms = terms_of(block, range);

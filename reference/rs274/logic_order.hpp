@@ -10,6 +10,8 @@
 
 namespace gonogo::reference::rs274 {
 
+// Whether an operator or a function takes two values.
+bool takes_two(grammar::TermKind kind);
 // Whether it is another value when AND, OR and XOR are of the group of + and -.
 bool has_logic_before_sum(const grammar::Block& block, const grammar::TermRange& range);
 // The terms of that value in the order in which they are done; places in Block::terms.

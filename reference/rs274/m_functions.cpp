@@ -10,9 +10,8 @@
 #include "reference/clause_literal.hpp"
 #include "reference/compared.hpp"
 #include "reference/reading_literal.hpp"
-#include "reference/rs274/codes.hpp"
+#include "reference/rs274/machine.hpp"
 #include "reference/rs274/whole.hpp"
-#include "reference/rs274/words.hpp"
 
 namespace gonogo::reference::rs274 {
 namespace {
@@ -41,14 +40,9 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
     return;
   }
   if (*number == 98 || *number == 99) return;  // NGC-OWD-13: no functions of the machine
-  Record record;
-  record.kind = RecordKind::m;
-  record.clause = clause;
-  record.block = line;
-  record.m = static_cast<std::int32_t>(*number);
-  record.among_motions = true;
   const bool before = function->kind == Kind::machine;
-  (before ? out.items : out.after).emplace_back(std::move(record));
+  (before ? out.items : out.after)
+      .emplace_back(function_record(line, clause, static_cast<int>(*number)));
   if (function->kind == Kind::program_end) out.program_end = true;
 }
 
@@ -61,6 +55,13 @@ std::ptrdiff_t place_in_order(const Item& function) {
 }
 
 }  // namespace
+
+Record function_record(std::uint64_t line, ClauseId clause, int m) {
+  Record record = record_of(RecordKind::m, line, clause);
+  record.m = m;
+  record.among_motions = true;
+  return record;
+}
 
 // NGC-COM-01
 std::optional<std::int64_t> m_number(const grammar::Word& word, const ReadingsInUse& readings) {
@@ -118,35 +119,37 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
   }
 }
 
+namespace {
+
 // NGC-COM-11
-void check_tool_table(const Number& number, const grammar::Word& word, const Profile& profile,
-                      const ReadingsInUse& readings, std::vector<Alarm>& alarms) {
-  if (number.sign() <= 0 || profile.tools.contains(number.text())) return;
-  if (!readings.is("ngc.missing-tool=alarm"_reading)) return;
-  alarms.push_back({AlarmClass::no_tool, "NGC-COM-11"_clause, word.address, word.where,
-                    fmt::format("{} is no tool of the table.", text_of(word))});
+void check_tool_table(BlockContext& block, const Number& number, const grammar::Word& word) {
+  if (number.sign() <= 0 || block.profile.tools.contains(number.text())) return;
+  if (!block.readings.is("ngc.missing-tool=alarm"_reading)) return;
+  block.alarm(AlarmClass::no_tool, "NGC-COM-11"_clause, word.address,
+              fmt::format("{} is no tool of the table.", text_of(word)));
 }
 
+}  // namespace
+
 // NGC-COM-09
-void check_spindle_and_tool(const BlockWords& words, const Profile& profile,
-                            const ReadingsInUse& readings, std::vector<Alarm>& alarms) {
+void check_spindle_and_tool(BlockContext& block) {
   const ClauseId clause = "NGC-COM-09"_clause;
   for (const char address : {'S', 'T'}) {
-    if (!words.has(address)) continue;
-    const grammar::Word& word = *words.word(address);
-    const Number number = words.written(address);
+    if (!block.words.has(address)) continue;
+    const grammar::Word& word = *block.words.word(address);
+    const Number number = block.words.written(address);
     if (number.sign() < 0) {
-      alarms.push_back({AlarmClass::value_sign, clause, address, word.where,
-                        fmt::format("{} is below zero.", text_of(word))});
+      block.alarm(AlarmClass::value_sign, clause, address,
+                  fmt::format("{} is below zero.", text_of(word)));
     }
     if (address == 'S') continue;
     const NearWhole tool(number);
-    if (tool.counts_as_whole(Whole::m_function, readings)) {
-      check_tool_table(tool.nearest(), word, profile, readings, alarms);
+    if (tool.counts_as_whole(Whole::m_function, block.readings)) {
+      check_tool_table(block, tool.nearest(), word);
       continue;
     }
-    alarms.push_back({AlarmClass::not_an_integer, clause, address, word.where,
-                      fmt::format("{} is no tool: its number is whole.", text_of(word))});
+    block.alarm(AlarmClass::not_an_integer, clause, address,
+                fmt::format("{} is no tool: its number is whole.", text_of(word)));
   }
 }
 
@@ -155,9 +158,8 @@ namespace {
 // NGC-COM-09: the words of one of M61 to M68.
 class SignalWords {
  public:
-  SignalWords(const grammar::Word& function, const BlockWords& words, const ReadingsInUse& readings,
-              std::vector<Alarm>& alarms)
-      : function_(function), words_(words), readings_(readings), alarms_(alarms) {}
+  SignalWords(const grammar::Word& function, BlockContext& block)
+      : function_(function), block_(block), words_(block.words) {}
 
   void need(char address) {
     if (!words_.has(address)) add_missing(address);
@@ -183,14 +185,12 @@ class SignalWords {
     add(AlarmClass::missing_word, address, fmt::format("{} needs {}.", name(), address));
   }
   void add(AlarmClass alarm, char address, std::string message) {
-    const grammar::Span where = words_.place_of(address).value_or(words_.behind());
-    alarms_.push_back({alarm, "NGC-COM-09"_clause, address, where, std::move(message)});
+    block_.alarm(alarm, "NGC-COM-09"_clause, address, std::move(message));
   }
 
   const grammar::Word& function_;
+  BlockContext& block_;
   const BlockWords& words_;
-  const ReadingsInUse& readings_;
-  std::vector<Alarm>& alarms_;
 };
 
 // M66 takes a digital input or an analogue one.
@@ -204,7 +204,7 @@ void SignalWords::check_input() {
                with_values("L of M66 is {}, below zero.", {words_.written('L')}));
   }
   const NearWhole mode(words_.has('L') ? words_.written('L') : Number(0));
-  if (!mode.counts_as_whole(Whole::m_function, readings_)) {
+  if (!mode.counts_as_whole(Whole::m_function, block_.readings)) {
     return add(AlarmClass::not_an_integer, 'L',
                with_values("L of M66 is {} and not whole.", {words_.written('L')}));
   }
@@ -248,17 +248,17 @@ bool may_be_unknown(std::int64_t function, const BlockWords& words) {
 }  // namespace
 
 // NGC-COM-09
-void check_signals(const BlockWords& words, const Profile& profile, const ReadingsInUse& readings,
-                   BlockOutput& out) {
+void check_signals(BlockContext& block) {
+  const BlockWords& words = block.words;
   for (const grammar::Word& word : words.block().words) {
     if (word.address != 'M') continue;
-    SignalWords signal(word, words, readings, out.alarms);
-    const std::int64_t number = m_number(word, readings).value_or(0);
+    SignalWords signal(word, block);
+    const std::int64_t number = m_number(word, block.readings).value_or(0);
     if (number == 61) signal.need_index('Q');
     if (number == 61 && words.has('Q')) {
-      check_tool_table(words.written('Q'), *words.word('Q'), profile, readings, out.alarms);
+      check_tool_table(block, words.written('Q'), *words.word('Q'));
     }
-    if (may_be_unknown(number, words)) out.accept("NGC-COM-15"_clause);
+    if (may_be_unknown(number, words)) block.out.accept("NGC-COM-15"_clause);
     if (number >= 62 && number <= 65) signal.need('P');
     if (number == 66) signal.check_input();
     if (number == 67 || number == 68) signal.need_index('E');

@@ -101,7 +101,9 @@ void run_traverse(BlockContext& block);
 void run_straight_feed(BlockContext& block);
 void run_arc(BlockContext& block, int sense);
 
-// Cycles and threads, each in a file of its own.
+// In motion.cpp: the motion in force.
+void run_motion(BlockContext& block);
+// Cycles and threads, each in a file of its own except G33 (synchronous.cpp) and the taps.
 void run_g33(BlockContext& block);
 void run_g33_1(BlockContext& block);
 void run_g73(BlockContext& block);

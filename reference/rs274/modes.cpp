@@ -11,9 +11,9 @@
 namespace gonogo::reference::rs274 {
 
 void leave_out(BlockContext& block, char address, std::string message) {
-  if (block.out.not_covered) return;
-  block.out.not_covered = NotCovered{block.line, std::string(1, address), std::move(message),
-                                     block.places.place_of(address).value_or(grammar::Span{})};
+  if (!block.out.not_covered) {
+    block.not_covered(std::string(1, address), address, std::move(message));
+  }
 }
 
 namespace {
@@ -67,6 +67,18 @@ void leave_out_other_words(BlockContext& block) {
 }
 
 }  // namespace
+
+void take_overrides(BlockContext& block) {
+  const MFunctions& functions = block.functions;
+  if (functions.none()) return;
+  Overrides& overrides = block.machine.overrides;
+  const bool is_on = !block.words.has('P') || block.words.written('P').sign() != 0;
+  if (functions[48] || functions[49]) overrides.feed = overrides.speed = functions[48];
+  if (functions[50]) overrides.feed = is_on;
+  if (functions[51]) overrides.speed = is_on;
+  if (functions[52]) overrides.adaptive_feed = is_on;
+  if (functions[53]) overrides.feed_hold = is_on;
+}
 
 void check_modes(BlockContext& block) {
   if (block.words.has('S')) block.machine.has_speed = block.words.written('S').sign() > 0;

@@ -13,6 +13,8 @@ namespace gonogo::reference::rs274 {
 // What no text says: the gauge expects nothing from this block on.
 void leave_out(BlockContext& block, char address, std::string message);
 
+// NGC-SAV-01: what M72 would have to restore. M50 to M53 switch off with P0, and on without P.
+void take_overrides(BlockContext& block);
 // Rules of modes that ask for words of the block.
 void check_modes(BlockContext& block);
 // Whether the motion runs in the modes in force; else an alarm, or it is not read.

@@ -6,104 +6,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "grammar/parser.hpp"
 #include "reference/clause_literal.hpp"
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
-namespace {
-
 using grammar::ControlKind;
-
-bool is_loop(ControlKind kind) {
-  return kind == ControlKind::while_ || kind == ControlKind::do_ || kind == ControlKind::repeat;
-}
-
-// Where the O word of a line would stand: behind '/', N and its number; nothing where there is
-// none. An O word may be parsed without need, never missed.
-bool may_be_o_word(std::string_view text, bool skips) {
-  std::size_t at = text.find_first_not_of(" \t");
-  if (at == std::string_view::npos) return false;
-  if (text[at] == '/') {
-    if (skips) return false;
-    ++at;
-  }
-  return text.find_first_of("oO", at) != std::string_view::npos;
-}
-
-}  // namespace
-
-bool is_tape_mark(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first != std::string_view::npos && text[first] == '%';
-}
-
-// The lines of the program that a loop may need again, also while it has called a subroutine.
-bool OWords::is_recording() const {
-  return std::ranges::any_of(levels_.front().open,
-                             [](const Open& open) { return is_loop(open.kind); });
-}
-
-// The next line, whether it runs or not.
-bool OWords::read(grammar::LineSource& lines, grammar::Line& line) {
-  Level& level = levels_.back();
-  if (level.at < level.text->size()) {
-    const StoredLine& stored = (*level.text)[level.at++];
-    if (defined_ != nullptr && fills_) defined_->push_back(stored);
-    ++repeated_;
-    line.number = stored.number;
-    line.text = stored.text;
-    line.too_long = false;
-    return true;
-  }
-  if (level.is_numbered) return ran_off_ = true;
-  if (!lines.next(line)) return false;
-  const bool is_recorded = is_recording() && !line.too_long;
-  if (!is_recorded && defined_ == nullptr) return true;
-  remembered_ += line.text.size() + sizeof(StoredLine);
-  Text& text = defined_ != nullptr ? *defined_ : tape_;
-  text.push_back({line.number, std::string(line.text)});
-  if (defined_ == nullptr) ++level.at;
-  return true;
-}
-
-// NGC-OWD-04: lines that do not run are not looked at except for their O words.
-bool OWords::is_wanted(std::string_view text) {
-  if (!may_be_o_word(text, skips_)) return false;
-  if (grammar::parse_block(grammar::Dialect::rs274, text, scratch_) || !scratch_.control) {
-    return false;
-  }
-  const grammar::Control& control = *scratch_.control;
-  if (defined_ != nullptr) {
-    return control.kind == ControlKind::sub ||
-           (control.kind == ControlKind::endsub && control.label == defined_label_);
-  }
-  const bool ends_sub = !is_main() && levels_.back().at == levels_.back().text->size();
-  return ends_sub || is_wanted(control);
-}
-
-bool OWords::is_wanted(const grammar::Control& control) const {
-  return control.label == wanted_->label &&
-         std::ranges::find(wanted_->kinds, control.kind) != wanted_->kinds.end();
-}
-
-bool OWords::next(grammar::LineSource& lines, grammar::Line& line) {
-  current_ = &line;
-  lines_ = &lines;
-  while (read(lines, line)) {
-    if (!skips_lines() || is_beyond() || line.too_long) return true;
-    if (is_tape_mark(line.text) || is_wanted(line.text)) return true;
-  }
-  return false;
-}
-
-// What may not come again.
-void OWords::forget() {
-  if (is_recording() || levels_.front().at != tape_.size()) return;
-  for (const StoredLine& line : tape_) remembered_ -= line.text.size() + sizeof(StoredLine);
-  tape_.clear();
-  levels_.front().at = 0;
-}
 
 // NGC-OWD-08
 bool OWords::refuse(const Step& step, std::string message) const {
@@ -141,8 +48,7 @@ void OWords::open(const Step& step, bool is_done) {
   const bool was_recording = is_recording();
   level.open.push_back({step.control.kind, step.control.label, 0, 0, is_done});
   if (is_main() && !was_recording && is_recording() && level.at == tape_.size()) {
-    remembered_ += current_->text.size() + sizeof(StoredLine);
-    tape_.push_back({current_->number, std::string(current_->text)});
+    remember(*current_, tape_);
     ++level.at;
   }
   level.open.back().start = level.at == 0 ? 0 : level.at - 1;
@@ -186,55 +92,6 @@ void OWords::run_sub(const Step& step) {
   if (!is_new) step.out.accept("NGC-OWD-11"_clause);
   defined_ = &place->second.text;
   defined_label_ = step.control.label;
-}
-
-// NGC-OWD-11: keeps the line behind those that are kept for a call.
-bool OWords::remember_next() {
-  grammar::Line line;
-  if (is_beyond() || !lines_->next(line) || line.too_long) return false;
-  remembered_ += line.text.size() + sizeof(StoredLine);
-  tape_.push_back({line.number, std::string(line.text)});
-  return true;
-}
-
-// NGC-OWD-11: whether a subroutine stands in the lines that have not run yet; its lines are then
-// known. They run later, and until then they are kept.
-bool OWords::find_behind(const std::string& label) {
-  called_at_ = current_->text;
-  current_->text = called_at_;  // the source forgets the line
-  Sub* found = nullptr;
-  for (std::size_t at = levels_.front().at; at < tape_.size() || remember_next(); ++at) {
-    const StoredLine& line = tape_[at];
-    if (found != nullptr) found->text.push_back(line);
-    if (is_tape_mark(line.text)) break;
-    if (!may_be_o_word(line.text, skips_) ||
-        grammar::parse_block(grammar::Dialect::rs274, line.text, scratch_) || !scratch_.control ||
-        scratch_.control->label != label) {
-      continue;
-    }
-    if (found == nullptr && scratch_.control->kind == ControlKind::sub) {
-      found = &subs_.try_emplace(label, Sub{line.number, {}}).first->second;
-    } else if (found != nullptr && scratch_.control->kind == ControlKind::endsub) {
-      return true;
-    }
-  }
-  subs_.erase(label);
-  return false;
-}
-
-void OWords::enter(Level level, std::vector<Value> arguments) {
-  if (level.is_numbered) {
-    parameters_.enter_sharing();
-  } else {
-    parameters_.enter(std::move(arguments));
-  }
-  parameters_.returned.reset();  // NGC-OWD-03
-  levels_.push_back(std::move(level));
-}
-
-void OWords::leave() {
-  parameters_.leave();
-  levels_.pop_back();
 }
 
 // NGC-OWD-03: return and endsub; a return may have the label of another O word.
@@ -434,49 +291,28 @@ void OWords::take(const grammar::Block& block, Calculator& calculator, BlockOutp
 }
 
 void OWords::run(const Step& step) {
-  switch (step.control.kind) {
-    case ControlKind::sub:
-      run_sub(step);
-      break;
-    case ControlKind::endsub:
-    case ControlKind::return_:
-      run_return(step);
-      break;
-    case ControlKind::call:
-      run_call(step);
-      break;
-    case ControlKind::if_:
-      run_if(step);
-      break;
-    case ControlKind::elseif:
-      run_elseif(step);
-      break;
-    case ControlKind::else_:
-      run_else(step);
-      break;
-    case ControlKind::endif:
-      run_endif(step);
-      break;
-    case ControlKind::while_:
-      run_while(step);
-      break;
-    case ControlKind::endwhile:
-      run_endwhile(step);
-      break;
-    case ControlKind::do_:
-      run_do(step);
-      break;
-    case ControlKind::repeat:
-      run_repeat(step);
-      break;
-    case ControlKind::endrepeat:
-      run_endrepeat(step);
-      break;
-    case ControlKind::break_:
-    case ControlKind::continue_:
-      run_break(step);
-      break;
-  }
+  struct Run {
+    ControlKind kind;
+    void (OWords::*function)(const Step& step);
+  };
+  static constexpr Run kRuns[] = {
+      {ControlKind::sub, &OWords::run_sub},
+      {ControlKind::endsub, &OWords::run_return},
+      {ControlKind::return_, &OWords::run_return},
+      {ControlKind::call, &OWords::run_call},
+      {ControlKind::if_, &OWords::run_if},
+      {ControlKind::elseif, &OWords::run_elseif},
+      {ControlKind::else_, &OWords::run_else},
+      {ControlKind::endif, &OWords::run_endif},
+      {ControlKind::while_, &OWords::run_while},
+      {ControlKind::endwhile, &OWords::run_endwhile},
+      {ControlKind::do_, &OWords::run_do},
+      {ControlKind::repeat, &OWords::run_repeat},
+      {ControlKind::endrepeat, &OWords::run_endrepeat},
+      {ControlKind::break_, &OWords::run_break},
+      {ControlKind::continue_, &OWords::run_break},
+  };
+  (this->*std::ranges::find(kRuns, step.control.kind, &Run::kind)->function)(step);
 }
 
 }  // namespace gonogo::reference::rs274

@@ -101,11 +101,14 @@ class OWords {
   };
 
   bool read(grammar::LineSource& lines, grammar::Line& line);
+  const grammar::Control* control_of(std::string_view text);
   bool is_wanted(std::string_view text);
   bool is_wanted(const grammar::Control& control) const;
   bool is_main() const { return levels_.size() == 1; }
   bool is_recording() const;
+  void remember(const grammar::Line& line, Text& text);
   void forget();
+  void keep_current();
   bool remember_next();
   bool find_behind(const std::string& label);
   enum class Found : std::uint8_t { nowhere, another_style, here };

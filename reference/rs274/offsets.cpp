@@ -204,13 +204,7 @@ Offsets::Offsets(const Profile& profile) {
 
 // NGC-OFS-01, NGC-OFS-16: the offset of G92 is along the axes of the program.
 void Offsets::settle() {
-  frame = {};
-  frame.is_turned = angles[system].sign() != 0;
-  if (frame.is_turned) {
-    const auto [cosine, sine] = exact::cos_sin_degrees(angles[system]);
-    frame.cosine = cosine;
-    frame.sine = sine;
-  }
+  frame = Frame(angles[system]);
   frame.origin = sum(sum(systems[system], tool), frame.turned(shift));
   frame.is_moved = frame.is_turned || frame.origin != Position{};
 }

@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 
-#include "reference/generator.hpp"
 #include "reference/outcome.hpp"
 #include "reference/profile.hpp"
 
@@ -31,6 +30,9 @@ inline constexpr std::array<HomeParameter, kAxes> kSecondHome = {{{Axis::x, "518
 
 // Where a program lies on the machine. NGC-OFS-16: it may be turned in X and Y.
 struct Frame {
+  // At the machine's origin.
+  explicit Frame(const Number& angle = 0);
+
   Position origin;  // of the program, in coordinates of the machine
   Number cosine = 1;
   Number sine;
@@ -70,8 +72,5 @@ struct ToolState {
   // NGC-OFS-17: entries of the tool table that the program has changed, by their numbers.
   std::map<std::string, Position> changed;
 };
-
-// The same motions in coordinates of the machine; they begin `at`.
-Generator<Item> moved(Generator<Item> items, Frame frame, Position at);
 
 }  // namespace gonogo::reference::rs274

@@ -4,68 +4,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "reference/catalog/clause.hpp"
+
 namespace gonogo::reference::rs274 {
 namespace {
 
-constexpr auto kPredefined = std::to_array<std::string_view>({"_a",
-                                                              "_abs_a",
-                                                              "_abs_b",
-                                                              "_abs_c",
-                                                              "_abs_u",
-                                                              "_abs_v",
-                                                              "_abs_w",
-                                                              "_abs_x",
-                                                              "_abs_y",
-                                                              "_abs_z",
-                                                              "_absolute",
-                                                              "_adaptive_feed",
-                                                              "_b",
-                                                              "_c",
-                                                              "_call_level",
-                                                              "_ccomp",
-                                                              "_coord_system",
-                                                              "_current_pocket",
-                                                              "_current_tool",
-                                                              "_feed",
-                                                              "_feed_hold",
-                                                              "_feed_override",
-                                                              "_flood",
-                                                              "_ijk_absolute_mode",
-                                                              "_imperial",
-                                                              "_incremental",
-                                                              "_inverse_time",
-                                                              "_lathe_diameter_mode",
-                                                              "_lathe_radius_mode",
-                                                              "_line",
-                                                              "_metric",
-                                                              "_mist",
-                                                              "_motion_mode",
-                                                              "_plane",
-                                                              "_remap_level",
-                                                              "_retract_old_z",
-                                                              "_retract_r_plane",
-                                                              "_rpm",
-                                                              "_selected_pocket",
-                                                              "_selected_tool",
-                                                              "_speed_override",
-                                                              "_spindle_css_mode",
-                                                              "_spindle_cw",
-                                                              "_spindle_on",
-                                                              "_spindle_rpm_mode",
-                                                              "_task",
-                                                              "_tool_offset",
-                                                              "_u",
-                                                              "_units_per_minute",
-                                                              "_units_per_rev",
-                                                              "_v",
-                                                              "_value",
-                                                              "_value_returned",
-                                                              "_vmajor",
-                                                              "_vminor",
-                                                              "_w",
-                                                              "_x",
-                                                              "_y",
-                                                              "_z"});
+constexpr std::string_view kPredefined =
+    "_a _abs_a _abs_b _abs_c _abs_u _abs_v _abs_w _abs_x _abs_y _abs_z _absolute "
+    "_adaptive_feed _b _c _call_level _ccomp _coord_system _current_pocket _current_tool "
+    "_feed _feed_hold _feed_override _flood _ijk_absolute_mode _imperial _incremental "
+    "_inverse_time _lathe_diameter_mode _lathe_radius_mode _line _metric _mist _motion_mode "
+    "_plane _remap_level _retract_old_z _retract_r_plane _rpm _selected_pocket "
+    "_selected_tool _speed_override _spindle_css_mode _spindle_cw _spindle_on "
+    "_spindle_rpm_mode _task _tool_offset _u _units_per_minute _units_per_rev _v _value "
+    "_value_returned _vmajor _vminor _w _x _y _z";
 
 bool is_argument(std::int64_t number) {
   return number <= static_cast<std::int64_t>(kArguments);
@@ -121,8 +73,7 @@ void Parameters::enter_sharing() {
 }
 
 bool is_predefined(std::string_view name) {
-  return name.starts_with("_ini[") || name.starts_with("_hal[") ||
-         std::ranges::find(kPredefined, name) != kPredefined.end();
+  return name.starts_with("_ini[") || name.starts_with("_hal[") || has_name(kPredefined, name);
 }
 
 }  // namespace gonogo::reference::rs274

@@ -35,9 +35,7 @@ bool needs_direction(const BlockContext& block) {
 }
 
 void leave_out(BlockContext& block, std::string message) {
-  const char address = block.words.has('@') ? '@' : '^';
-  block.out.not_covered = NotCovered{block.line, "polar-word", std::move(message),
-                                     block.places.place_of(address).value_or(grammar::Span{})};
+  block.not_covered("polar-word", block.words.has('@') ? '@' : '^', std::move(message));
 }
 
 bool stands_twice(const BlockContext& block, char address) {

@@ -76,8 +76,7 @@ void OWords::call_numbered(const BlockWords& words, const grammar::Span& where, 
   if (levels_.size() > kMostCalls) return leave("The gauge follows nine calls in each other.");
   auto found = numbered_.find(number);
   if (found == numbered_.end()) {
-    called_at_ = current_->text;
-    current_->text = called_at_;  // the source forgets the line
+    keep_current();
     Sub sub;
     const Found what =
         subs_.contains(std::to_string(number)) ? Found::another_style : find_numbered(number, sub);

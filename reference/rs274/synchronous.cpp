@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Motion in step with the spindle, and G33, which is nothing else.
 #include "reference/rs274/synchronous.hpp"
 
 #include "reference/clause_literal.hpp"
@@ -34,8 +36,9 @@ void check_lead(BlockContext& block) {
   }
 }
 
-}  // namespace
-
+// A thread record has the lead along the axis that moves farthest; programs of RS274/NGC say it
+// along the path. mm; exact, with one square root where more than one axis moves.
+// REQUIRES: the points differ along a linear axis.
 Number lead_of(const Number& path_lead, const Position& from, const Position& to) {
   Number squares;
   Number longest;
@@ -46,6 +49,8 @@ Number lead_of(const Number& path_lead, const Position& from, const Position& to
   }
   return path_lead * longest / sqrt(squares);
 }
+
+}  // namespace
 
 std::optional<SynchronousMotion> synchronous_motion(BlockContext& block, std::string_view code) {
   if (leaves_out_rotary_axis(block, code)) return std::nullopt;
@@ -74,6 +79,12 @@ Record thread_to(BlockContext& block, ClauseId clause, const SynchronousMotion& 
   Record record = block.motion_to(RecordKind::thread, clause, motion.named, motion.to);
   record.lead = lead;
   return record;
+}
+
+void run_g33(BlockContext& block) {
+  const std::optional<SynchronousMotion> motion = synchronous_motion(block, "G33");
+  if (!motion || !motion->moves_from(block.machine.position)) return;
+  block.put(thread_to(block, "NGC-G33-01"_clause, *motion));
 }
 
 }  // namespace gonogo::reference::rs274

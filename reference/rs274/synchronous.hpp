@@ -7,11 +7,6 @@
 
 namespace gonogo::reference::rs274 {
 
-// A thread record has the lead along the axis that moves farthest; programs of RS274/NGC say it
-// along the path. mm; exact, with one square root where more than one axis moves.
-// REQUIRES: the points differ along a linear axis.
-Number lead_of(const Number& path_lead, const Position& from, const Position& to);
-
 // The motion of a block, which has to be made yet.
 struct SynchronousMotion {
   AxisSet named;

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/rs274/tapping.hpp"
-
+//
+// G84 and G74, right-hand and left-hand tapping with a floating chuck. NGC-G74-01: whether G74
+// takes L stands with the words of codes.
 #include <fmt/format.h>
 
 #include "reference/clause_literal.hpp"
 #include "reference/reading_literal.hpp"
+#include "reference/rs274/hole_block.hpp"
 
 namespace gonogo::reference::rs274 {
 namespace {
+
+struct Tap {
+  int forward;            // the M function of the sense in which it goes in
+  int backward;           // and out
+  std::string_view hand;  // "right-hand"
+};
 
 // NGC-G84-02: not synchronous; NGC-G84-05: along the third axis in every plane.
 Generator<Item> tap_hole(const Holes& holes, Tap tap) {
@@ -53,14 +61,22 @@ OwnWord own_word(BlockContext& block) {
   return OwnWord::none;
 }
 
-}  // namespace
-
 void run_tap(BlockContext& block, const Tap& tap) {
   const OwnWord own = own_word(block);
   HoleBlock holes(block, own);
   if (own == OwnWord::takes_p) take_dwell(block, holes);
   check_spindle(holes, tap);
   holes.run([tap](const Holes& ready) { return tap_hole(ready, tap); });
+}
+
+}  // namespace
+
+void run_g74(BlockContext& block) {
+  run_tap(block, {.forward = 4, .backward = 3, .hand = "left-hand"});
+}
+
+void run_g84(BlockContext& block) {
+  run_tap(block, {.forward = 3, .backward = 4, .hand = "right-hand"});
 }
 
 }  // namespace gonogo::reference::rs274

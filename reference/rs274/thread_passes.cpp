@@ -63,10 +63,7 @@ class Motions {
 
  private:
   Record to(RecordKind kind, ClauseId clause, const Number& x) const {
-    Record record;
-    record.kind = kind;
-    record.block = passes_.line;
-    record.clause = clause;
+    Record record = record_of(kind, passes_.line, clause);
     record.axes.add(Axis::x);
     record.to[Axis::x] = x;
     if (kind == RecordKind::feed) {

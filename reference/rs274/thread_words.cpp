@@ -7,7 +7,7 @@
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/reading_literal.hpp"
-#include "reference/rs274/whole.hpp"
+#include "reference/rs274/tool_lengths.hpp"
 
 namespace gonogo::reference::rs274 {
 namespace {
@@ -118,11 +118,7 @@ void Reader::read_depths() {
 // whole.
 std::optional<Number> Reader::whole(char address) {
   if (!words_.has(address)) return 0;
-  const NearWhole value(words_.written(address));
-  if (value.counts_as_whole(Whole::repeats, block_.readings)) return value.nearest();
-  refuse(AlarmClass::not_an_integer, address, fmt::format("{} is {{}} and not whole.", address),
-         {words_.written(address)});
-  return std::nullopt;
+  return whole_word(block_, "NGC-G76-03"_clause, address);
 }
 
 void Reader::read_spring_passes() {

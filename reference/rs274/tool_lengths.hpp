@@ -10,6 +10,9 @@ namespace gonogo::reference::rs274 {
 Position sum(Position a, const Position& b);
 Position difference(Position a, const Position& b);
 
+// NGC-OFS-01: what a block put out, in coordinates of the machine; its motions begin `at`.
+void move_out(const Frame& frame, const Position& at, BlockOutput& out);
+
 // The words of the block along its axes: mm, or degrees.
 template <typename Take>
 void each_axis_word(const BlockContext& block, Take take) {

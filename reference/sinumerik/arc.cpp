@@ -103,6 +103,14 @@ bool check_angle(BlockContext& block) {
   return false;
 }
 
+// SIE-ARC-16: whether CR= stands beside a centre, and whether that makes the arc.
+bool has_radius_and_centre(const BlockWords& words) {
+  return words.has(Address::cr) && words.has_centre();
+}
+bool leaves_radius_out(const BlockContext& block) {
+  return has_radius_and_centre(block.words) && block.readings.is("sie.cr.centre=centre"_reading);
+}
+
 // SIE-ARC-11: an arc has one form. Whether it has.
 bool check_form(BlockContext& block, const PlaneAxes& axes) {
   const ClauseId clause = "SIE-ARC-11"_clause;
@@ -110,15 +118,21 @@ bool check_form(BlockContext& block, const PlaneAxes& axes) {
   const bool radius = words.has(Address::cr);
   const bool angle = words.has(Address::ar);
   const bool ends = words.has(address_of(axes.p)) || words.has(address_of(axes.q));
-  const auto conflict = [&](std::string_view word, std::string_view others) {
-    block.alarm(AlarmClass::conflicting_words, clause, WordName(word),
+  const auto conflict_by = [&](ClauseId rule, std::string_view word, std::string_view others) {
+    block.alarm(AlarmClass::conflicting_words, rule, WordName(word),
                 fmt::format("{} does not stand beside {} in an arc.", word, others));
     return false;
+  };
+  const auto conflict = [&](std::string_view word, std::string_view others) {
+    return conflict_by(clause, word, others);
   };
   if (words.is_polar() && (words.has_centre() || radius || angle)) {
     return conflict(words.has(Address::ap) ? "AP" : "RP", "a centre, CR or AR");
   }
-  if (radius && (words.has_centre() || angle)) return conflict("CR", "a centre or AR");
+  if (radius && angle) return conflict("CR", "AR");
+  if (has_radius_and_centre(words) && block.readings.is("sie.cr.centre=alarm"_reading)) {
+    return conflict_by("SIE-ARC-16"_clause, "CR", "a centre");
+  }
   if (angle && words.has_centre() && ends) return conflict("AR", "a centre with an end point");
   if (angle ? words.has_centre() || ends : words.has_centre() || radius || words.is_polar()) {
     return true;
@@ -136,7 +150,7 @@ ArcCentre polar_centre(const BlockContext& block, const ArcCommand& arc) {
 
 std::optional<FoundArc> find_arc(BlockContext& block, ArcCommand& arc, Address centre_word) {
   const BlockWords& words = block.words;
-  if (words.has(Address::cr)) return arc_by_radius(block, arc);
+  if (words.has(Address::cr) && !leaves_radius_out(block)) return arc_by_radius(block, arc);
   if (words.has(Address::ar)) {
     return words.has_centre() ? arc_by_angle_and_centre(block, arc)
                               : arc_by_angle_and_end(block, arc);
@@ -153,7 +167,7 @@ ClauseId clause_of(const BlockContext& block, const ArcCommand& arc, bool is_cor
   const BlockWords& words = block.words;
   if (is_corrected) return "SIE-ARC-08"_clause;
   if (words.has(Address::turn) || arc.end.named.has(arc.axes.d)) return "SIE-ARC-09"_clause;
-  if (words.has(Address::cr)) return "SIE-ARC-04"_clause;
+  if (words.has(Address::cr) && !leaves_radius_out(block)) return "SIE-ARC-04"_clause;
   if (words.has(Address::ar)) return "SIE-ARC-05"_clause;
   if (words.is_polar()) return "SIE-ARC-06"_clause;
   if (arc.closed()) return "SIE-ARC-03"_clause;

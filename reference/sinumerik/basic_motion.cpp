@@ -65,9 +65,18 @@ void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   machine.last = std::move(last);
 }
 
+// Whether F of before and R123 are one speed, so that a cut does not show which is in force.
+bool are_one_feed(const Machine& machine) {
+  if (machine.modes.inch || machine.feed_is_of_before) return false;
+  const std::optional<FeedOfCycle>& of_cycle = machine.feed_of_cycle;
+  return of_cycle && !of_cycle->replaces_one_of_before &&
+         (of_cycle->feed - machine.feed).try_sign() == 0;
+}
+
 // SIE-LC75-14
 void settle_feed_of_cycle(BlockContext& block) {
   Machine& machine = block.machine;
+  if (are_one_feed(machine)) return;
   const auto of_cycle = std::exchange(machine.feed_of_cycle, std::nullopt);
   if (!of_cycle) return;
   if (block.readings.is("sie.lc75.feed-after=of-cycle"_reading)) {
@@ -119,7 +128,7 @@ void need_cutting(BlockContext& block) {
   need_spindle(block);
 }
 
-// SIE-MOD-09: a spindle that was brought to a place.
+// SIE-MOD-09: a spindle that was brought to a place, or that a tool was changed in.
 bool spindle_turns(BlockContext& block) {
   const Machine& machine = block.machine;
   const bool turns = machine.spindle != 5 && (machine.speed_given || machine.speed.sign() > 0);

@@ -17,12 +17,23 @@ bool is_length(std::uint64_t number) {
          number == 125;
 }
 
+// R122 and R123 of LCYC75.
+bool is_feed(std::uint64_t number) {
+  return number == 122 || number == 123;
+}
+
 }  // namespace
+
+bool CycleCall::counts_inches(std::uint64_t number) const {
+  if (!block.machine.modes.inch || calculator.parameter(number).sign() == 0) return false;
+  const ReadingsInUse& readings = block.readings;
+  if (is_feed(number)) return readings.is("sie.lcyc.unit=inch-with-feeds"_reading);
+  return is_length(number) && !readings.is("sie.lcyc.unit=mm"_reading);
+}
 
 Number CycleCall::parameter(std::uint64_t number) const {
   const Number& written = calculator.parameter(number);
-  if (!block.machine.modes.inch || !is_length(number) || written.sign() == 0) return written;
-  return block.readings.is("sie.lcyc.unit=inch"_reading) ? inches(written) : written;
+  return counts_inches(number) ? inches(written) : written;
 }
 
 grammar::Span CycleCall::where() const {

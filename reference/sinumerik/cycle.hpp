@@ -16,8 +16,11 @@ struct CycleCall {
   const Calculator& calculator;
   OpenPaths open_paths;
 
-  // R101 and so on; mm, mm/min or mm/rev. Under G70 and sie.lcyc.unit = inch lengths are inches.
+  // R101 and so on; mm, mm/min or mm/rev. Under G70 a reading has lengths, or these and feeds, in
+  // inches (sie.lcyc.unit).
   Number parameter(std::uint64_t number) const;
+  // Whether the program's number counts inches.
+  bool counts_inches(std::uint64_t number) const;
   // A rule about a parameter that is broken; its place is the name of the cycle.
   void parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t number,
                        std::string message) const;

@@ -51,6 +51,7 @@ class Interpreter : public BlockInterpreter {
   const ReadingsInUse& readings_;
   OpenPaths open_paths_;
   Machine machine_;
+  bool has_begun_ = false;  // a block with a word has run
   Calculator calculator_;
   CodeReading reading_;
 };
@@ -151,7 +152,8 @@ void Interpreter::take_m(std::uint64_t line, const grammar::NamedWord& word, con
     machine_.spindle = m;
     machine_.spindle_is_placed = false;
   }
-  if (m == 19 || m == 70) machine_.spindle_is_placed = true;
+  if (m == 6) machine_.last_m6.emplace();
+  if (m == 6 || m == 19 || m == 70) machine_.spindle_is_placed = true;
 }
 
 // Lengths, angles, feeds and speeds; tools and turns are numbers.
@@ -227,6 +229,9 @@ void Interpreter::take_tool(const BlockWords& words) {
     machine_.edge = 1;
   }
   if (words.has(Address::d)) machine_.edge = words.written(Address::d);
+  if (machine_.last_m6 && !machine_.last_m6->is_done) {
+    machine_.last_m6 = ToolChange{machine_.tool, true};
+  }
 }
 
 // F and S of a dwell are its own. G90, G70 and the plane hold for their own block.
@@ -338,11 +343,18 @@ void Interpreter::run_cycle(BlockContext& block) {
 }
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  if (leaves_program(block, line, has_begun_, "SIE-LEX-04"_clause, out)) return;
   if (block.outside) {
     out.not_covered = construct_outside(block, line);
     return;
   }
-  if (block.named.empty() || !parses(block, out) || !take_codes(line, block, out)) return;
+  const bool has_other_blank = block.other_blank.span.end != 0;
+  if (has_other_blank && machine_.control == Control::sinumerik802s) {
+    out.accept("SIE-LEX-03"_clause);
+  }
+  if (block.named.empty()) return;
+  has_begun_ = true;
+  if (!parses(block, out) || !take_codes(line, block, out)) return;
   BlockWords words(block, machine_.modes);
   BlockContext context{
       {machine_, words, profile_, readings_, line, out}, machine_, words, reading_.codes};
@@ -368,6 +380,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
       run_motion(context);
     }
   }
+  admit_other_classes(context);
   sort_by_place(out.alarms);
 }
 

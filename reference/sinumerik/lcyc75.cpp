@@ -86,10 +86,9 @@ void run_lcyc75(const CycleCall& call) {
   BlockContext& block = call.block;
   const std::optional<Number> tool_radius = check_pocket(call);
   if (!tool_radius) return;
-  const ClauseId clause = "SIE-LC75-04"_clause;
   PocketMilling pocket;
   pocket.block = block.line;
-  pocket.clause = clause;
+  pocket.clause = "SIE-LC75-04"_clause;
   place(call, pocket);
   size(call, *tool_radius, pocket);
   divide(call, pocket);
@@ -98,12 +97,14 @@ void run_lcyc75(const CycleCall& call) {
   pocket.plane_feed = call.parameter(123);
   pocket.feed_mode = block.machine.feed_mode;
   name_planes(call);
-  // SIE-LC75-13: the approach is one traverse, then one down to the clearance.
+  // SIE-LC75-13: one traverse to R101. The way down from there is printed of roughing alone.
   const PlaneAxes axes = block.plane_axes();
   put_cycle_motion(
-      call, RecordKind::rapid, clause,
+      call, RecordKind::rapid, pocket.finishing ? "SIE-LC75-13"_clause : pocket.clause,
       {{axes.p, call.parameter(116)}, {axes.q, call.parameter(117)}, {axes.d, call.retract()}});
-  put_cycle_motion(call, RecordKind::rapid, clause, {{axes.d, call.clearance()}});
+  if (!pocket.finishing) {
+    put_cycle_motion(call, RecordKind::rapid, pocket.clause, {{axes.d, call.clearance()}});
+  }
   const bool named = block.readings.is("sie.pocket.path=contour-parallel"_reading);
   if (call.open_paths == OpenPaths::shown || named) {
     block.out.cycle = contour_parallel(pocket);

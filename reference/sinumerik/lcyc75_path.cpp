@@ -133,6 +133,11 @@ Generator<Item> clear_level(PocketMilling pocket, bool whole) {
 }  // namespace
 
 Generator<Item> contour_parallel(PocketMilling pocket) {
+  // SIE-LC75-13: of roughing it belongs to the approach.
+  if (pocket.finishing) {
+    const Item approach = in_depth(pocket, RecordKind::rapid, pocket.clearance);
+    co_yield approach;
+  }
   const Number count = pocket.level_count();
   for (Number k = 1; k <= count; k += 1) {
     const Item plunge = in_depth(pocket, RecordKind::feed, pocket.depth_of_level(k));

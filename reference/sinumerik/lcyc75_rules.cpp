@@ -27,6 +27,12 @@ bool has_tool(const CycleCall& call) {
   return call.block.machine.tool && call.block.machine.edge.sign() != 0;
 }
 
+// Whether T changes the tool or M6 does, the machine decides, and no text says: behind a T that no
+// M6 has followed, where one has followed a T before, either may be in force.
+bool is_tool_unsaid(const Machine& machine) {
+  return machine.last_m6 && machine.last_m6->tool != machine.tool;
+}
+
 // As with_values takes it.
 Number number_of(std::uint64_t parameter) {
   return static_cast<std::int64_t>(parameter);
@@ -35,11 +41,6 @@ Number number_of(std::uint64_t parameter) {
 // A number of the program, which may count inches (sie.lcyc.unit).
 const Number& written(const CycleCall& call, std::uint64_t number) {
   return call.calculator.parameter(number);
-}
-
-bool counts_inches(const CycleCall& call, std::uint64_t number) {
-  return call.block.machine.modes.inch && written(call, number).sign() != 0 &&
-         call.block.readings.is("sie.lcyc.unit=inch"_reading);
 }
 
 // The profile gives the radius of the first edge of a tool.
@@ -134,7 +135,7 @@ void check_feeds(const CycleCall& call) {
     if (sign_of(call, kRanges, number) > 0) continue;
     call.parameter_alarm(AlarmClass::feed_missing, kRanges, number,
                          with_values("The feed R{} = {} is not above zero.",
-                                     {number_of(number), call.parameter(number)}));
+                                     {number_of(number), written(call, number)}));
   }
 }
 
@@ -153,7 +154,7 @@ void check_below_tool(const CycleCall& call, std::uint64_t number,
   if (decided(kRanges, fmt::format("R{} - tool", number), value, diameter) < 0) return;
   if (!is_limited(call, number)) return;
   std::string message =
-      counts_inches(call, number)
+      call.counts_inches(number)
           ? with_values(
                 "The allowance R{} = {} ({} mm) is not smaller than the tool's diameter {}.",
                 {number_of(number), written(call, number), value, diameter})
@@ -186,7 +187,7 @@ void check_fit(const CycleCall& call, const std::optional<Number>& radius) {
     if (size.sign() <= 0) continue;
     if (decided("SIE-LC75-08"_clause, "tool - pocket", needs * 2, size) <= 0) continue;
     std::string message =
-        counts_inches(call, number)
+        call.counts_inches(number)
             ? with_values(
                   "The tool, with the allowance {} wide, does not fit into R{} = {} ({} mm).",
                   {needs * 2, number_of(number), written(call, number), size})
@@ -211,6 +212,12 @@ void check_direction(const CycleCall& call) {
 }  // namespace
 
 std::optional<Number> check_pocket(const CycleCall& call) {
+  if (is_tool_unsaid(call.block.machine)) {
+    call.block.out.not_covered =
+        NotCovered{call.block.line, "T",
+                   "No text says whether T alone has changed the tool, or M6 will.", call.where()};
+    return std::nullopt;
+  }
   const std::optional<Number> radius = tool_radius(call);
   check_planes(call);
   check_sizes(call);

@@ -21,6 +21,12 @@ struct FeedOfCycle {
   bool replaces_one_of_before = false;  // F in force stood before the feed changed
 };
 
+// The last M6, and the T in force behind its block.
+struct ToolChange {
+  std::optional<Number> tool;
+  bool is_done = false;  // its block has been read
+};
+
 // What is known of the machine's place in a plane beside its coordinates, which may be enclosures:
 // its exact distance from a point, and the polar coordinates that it was sent to.
 struct PlaceMark {
@@ -72,7 +78,7 @@ struct Machine : MotionState, PolarState {
   bool speed_given = false;             // S counts as above zero though it is not known
   bool constant_cutting_speed = false;  // G96, G961
   bool turns_unknown = false;           // S was a cutting speed: G97 keeps what came of it
-  bool spindle_is_placed = false;       // SPOS, SPOSA, M19 or M70 behind M3, M4 and M5
+  bool spindle_is_placed = false;       // SPOS, SPOSA, M19, M70 or M6 behind M3, M4 and M5
   bool feed_is_of_before = false;       // F stood before the feed changed between G94 and G95
   bool feed_is_zero = false;            // the last F was 0
   // Until a block shows whether it is in force; and that it is, in millimetres.
@@ -81,7 +87,8 @@ struct Machine : MotionState, PolarState {
   Frame frame;
   Position base;               // `position` in base coordinates; exact where that is only enclosed
   std::optional<Number> tool;  // T; none before any T word, or T0
-  Number edge = 1;             // D
+  std::optional<ToolChange> last_m6;
+  Number edge = 1;  // D
   // Changes of the translation since each axis moved, in base coordinates.
   Position untravelled;
   // Before a code of the plane in force, until a block shows whether it has held on.
@@ -158,6 +165,9 @@ void put_in_base(BlockContext& block, Record record, const Position& end, AxisSe
 void refuse_words(BlockContext& block, std::initializer_list<Address> addresses);
 // An alarm where TURN= adds turns.
 void refuse_turns(BlockContext& block);
+
+// In other_classes.cpp.
+void admit_other_classes(BlockContext& block);
 
 // In polar.cpp. The end point of the block's axis words, Cartesian or polar; nothing after an
 // alarm.

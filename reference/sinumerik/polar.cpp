@@ -48,11 +48,10 @@ bool check_ranges(BlockContext& block) {
 
 // SIE-POL-02: AP=IC() adds to the angle in force; AP under G91 only under a reading. Nothing is
 // asked where the first of a pole is its own angle.
-bool adds_to_angle(const BlockContext& block) {
+bool adds_to_angle(const BlockContext& block, const std::optional<Number>& in_force) {
   const Dimension dimension = block.words.dimension(Address::ap);
   if (dimension != Dimension::as_in_force) return dimension == Dimension::incremental;
-  return block.machine.modes.incremental && block.machine.polar_angle &&
-         block.machine.polar_angle->sign() != 0 &&
+  return block.machine.modes.incremental && in_force && in_force->sign() != 0 &&
          block.readings.is("sie.ap.g91=incremental"_reading);
 }
 
@@ -64,7 +63,7 @@ std::optional<PolarPoint> polar_point(BlockContext& block) {
   if (words.has(Address::rp)) machine.polar_radius = words.length(Address::rp);
   if (words.has(Address::ap)) {
     const Number& angle = words.written(Address::ap);
-    if (!adds_to_angle(block)) {
+    if (!adds_to_angle(block, machine.polar_angle)) {
       machine.polar_angle = angle;
     } else if (machine.polar_angle) {
       machine.polar_angle = *machine.polar_angle + angle;
@@ -155,10 +154,9 @@ bool shows(const BlockContext& block, const PolarState& before) {
   const BlockWords& words = block.words;
   if (before.pole_is_put) return true;
   if (block.codes.once == 112) return false;
-  if (!words.has(Address::ap) || !words.has(Address::rp)) return true;
-  const Dimension dimension = words.dimension(Address::ap);
-  return dimension == Dimension::as_in_force ? block.machine.modes.incremental
-                                             : dimension == Dimension::incremental;
+  if (before.polar_radius && !words.has(Address::rp)) return true;
+  if (!before.polar_angle) return false;
+  return !words.has(Address::ap) || adds_to_angle(block, before.polar_angle);
 }
 
 }  // namespace

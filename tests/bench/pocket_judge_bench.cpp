@@ -79,7 +79,7 @@ void judge_trace(const std::string& program, const reference::Profile& profile,
                  const std::string& trace) {
   SubjectInfo subject;
   subject.features = {"blocks"};
-  const Tolerances tolerances = make_tolerances(subject, profile, std::nullopt, std::nullopt);
+  const Tolerances tolerances = make_tolerances(subject, profile);
   JudgeSession session(profile, program, tolerances);
   TraceReader reader;
   std::istringstream lines(trace);

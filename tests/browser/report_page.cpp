@@ -11,6 +11,6 @@ int main(int argc, char** argv) {
     return 2;
   }
   const auto error = gonogo::oracle::report::write_html_report(argv[1], argv[2]);
-  if (error) std::fprintf(stderr, "%s\n", error->message.c_str());
+  if (error) std::fprintf(stderr, "%s\n", error->c_str());
   return error ? 1 : 0;
 }

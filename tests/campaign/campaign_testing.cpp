@@ -12,25 +12,7 @@
 namespace gonogo::oracle {
 namespace fs = std::filesystem;
 
-Scratch::Scratch() {
-  std::string name = (fs::temp_directory_path() / "gonogo-campaign-XXXXXX").string();
-  folder_ = ::mkdtemp(name.data());
-}
-
-Scratch::~Scratch() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
-
-void Scratch::write(const std::string& name, const std::string& text) const {
-  fs::create_directories(fs::path(path(name)).parent_path());
-  std::ofstream(path(name), std::ios::binary) << text;
-}
-
-std::string Scratch::read(const std::string& name) const {
-  std::ifstream file(path(name), std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+namespace {
 
 void write_corpus(const Scratch& scratch, int cases) {
   using Json = nlohmann::ordered_json;
@@ -70,6 +52,29 @@ void write_corpus(const Scratch& scratch, int cases) {
                                              {"files", files},
                                              {"retired", Json::array()}}
                                             .dump());
+}
+
+}  // namespace
+
+Scratch::Scratch(int cases) {
+  std::string name = (fs::temp_directory_path() / "gonogo-campaign-XXXXXX").string();
+  folder_ = ::mkdtemp(name.data());
+  if (cases > 0) write_corpus(*this, cases);
+}
+
+Scratch::~Scratch() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void Scratch::write(const std::string& name, const std::string& text) const {
+  fs::create_directories(fs::path(path(name)).parent_path());
+  std::ofstream(path(name), std::ios::binary) << text;
+}
+
+std::string Scratch::read(const std::string& name) const {
+  std::ifstream file(path(name), std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 namespace {
@@ -124,6 +129,16 @@ SubjectMaker fake_maker(FakeSubject fake) {
   return [fake = std::move(fake)] { return std::make_unique<Fake>(fake); };
 }
 
+FakeSubject acting(decltype(FakeSubject::act) act) {
+  FakeSubject fake;
+  fake.act = std::move(act);
+  return fake;
+}
+
+RunEnd ended(RunEnd::Kind kind) {
+  return RunEnd::of(kind, "It ended so.");
+}
+
 CaseResult passed(std::string id) {
   CaseResult result;
   result.id = std::move(id);
@@ -134,8 +149,29 @@ CaseResult passed(std::string id) {
   return result;
 }
 
-std::string results_of(const Scratch& scratch, const std::string& name,
-                       const CampaignOptions& options, const SubjectMaker& maker) {
+CaseFacts facts(std::string id, VerdictKind verdict, std::string dialect) {
+  CaseFacts made;
+  made.head.id = std::move(id);
+  made.head.dialect = std::move(dialect);
+  made.verdict = verdict;
+  return made;
+}
+
+RunAnswer answer(const std::vector<CaseFacts>& cases, const std::vector<std::string>& stale) {
+  Tally tally;
+  for (const CaseFacts& one : cases) tally.add(one);
+  return tally.finish(stale);
+}
+
+CampaignOptions options_of(int jobs) {
+  CampaignOptions options;
+  options.jobs = jobs;
+  return options;
+}
+
+std::string results_of(const Scratch& scratch, const FakeSubject& fake,
+                       const CampaignOptions& options, const std::string& name) {
+  const SubjectMaker maker = fake_maker(fake);
   const Corpus corpus(scratch.path("corpus"));
   ResultsHeader header;
   header.seed = options.seed;
@@ -146,14 +182,12 @@ std::string results_of(const Scratch& scratch, const std::string& name,
   ResultsWriter writer(scratch.path(name), header);
   const CampaignEnd end = run_campaign(
       corpus, options, maker, [&](const CaseResult& result) { writer.add(result); }, nullptr);
-  ResultsFooter footer;
   ResultsWriter::Ending ending;
   ending.left_out = end.left_out;
   ending.stale = end.stale;
   ending.is_shard = options.shards > 1;
   if (options.alarm_map && options.is_whole()) ending.alarms = options.alarm_map->natives();
-  writer.close(ending, footer);
-  return footer_line(footer);
+  return footer_line(writer.close(ending));
 }
 
 }  // namespace gonogo::oracle

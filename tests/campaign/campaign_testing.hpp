@@ -10,12 +10,14 @@
 
 #include "campaign/campaign.hpp"
 #include "campaign/results_writer.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::oracle {
 
 class Scratch {
  public:
-  Scratch();
+  // With a corpus of `cases` moves along X, in files of ten, below path("corpus"); 0: without.
+  explicit Scratch(int cases = 0);
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
   ~Scratch();
@@ -26,9 +28,6 @@ class Scratch {
  private:
   std::filesystem::path folder_;
 };
-
-// `cases` moves along X in files of ten, as a corpus below scratch.path("corpus").
-void write_corpus(const Scratch& scratch, int cases);
 
 // What a run of the fake subject does instead of answering well; nothing: it answers well.
 struct FakeSubject {
@@ -44,10 +43,21 @@ struct FakeSubject {
   std::optional<SubjectInfo> info;
 };
 SubjectMaker fake_maker(FakeSubject fake);
+FakeSubject acting(decltype(FakeSubject::act) act);
+
+RunEnd ended(RunEnd::Kind kind);
 
 // A result of its own, for tests of the files.
 CaseResult passed(std::string id);
-std::string results_of(const Scratch& scratch, const std::string& name,
-                       const CampaignOptions& options, const SubjectMaker& maker);
+
+// For tests of the answer of a run.
+CaseFacts facts(std::string id, VerdictKind verdict, std::string dialect = "gsk988ta");
+RunAnswer answer(const std::vector<CaseFacts>& cases, const std::vector<std::string>& stale = {});
+
+CampaignOptions options_of(int jobs);
+// Runs the corpus of the folder and writes the results there; returns their footer.
+std::string results_of(const Scratch& scratch, const FakeSubject& fake,
+                       const CampaignOptions& options = options_of(1),
+                       const std::string& name = "r");
 
 }  // namespace gonogo::oracle

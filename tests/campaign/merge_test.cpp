@@ -21,28 +21,29 @@ std::string comparable(const std::string& text) {
 
 class Merge : public ::testing::Test {
  protected:
-  Merge() { write_corpus(scratch_, 40); }
-
   CampaignOptions options() const {
     CampaignOptions options;
     options.alarm_map = alarms_;
     options.known_failures = known_;
     return options;
   }
-  void run_shards() {
+  void run(const std::string& name, const CampaignOptions& options) {
+    results_of(scratch_, fake_, options, name);
+  }
+  void run_whole() { run("whole", options()); }
+  void run_shards(std::uint64_t seed = 0, std::uint64_t step = 0) {
     for (unsigned shard = 1; shard <= kShards; ++shard) {
       CampaignOptions one = options();
       one.shard = shard;
       one.shards = kShards;
-      results_of(scratch_, "s" + std::to_string(shard), one, fake_maker(fake_));
+      one.seed = seed + step * shard;
+      run("s" + std::to_string(shard), one);
     }
   }
-  MergeOutcome merge(const std::vector<std::string>& names, bool partial = false) {
-    MergeOptions merging;
+  MergeOutcome merge(const std::vector<std::string>& names, MergeOptions merging = {}) {
     for (const std::string& name : names) merging.results.push_back(scratch_.path(name));
     merging.out = scratch_.path("merged");
     merging.argv = {"merge"};
-    merging.partial = partial;
     return merge_results(merging);
   }
   void replace_in(const std::string& name, const std::string& what, const std::string& with) {
@@ -52,7 +53,7 @@ class Merge : public ::testing::Test {
     scratch_.write(name, text.replace(at, what.size(), with));
   }
 
-  Scratch scratch_;
+  Scratch scratch_{40};
   FakeSubject fake_;
   std::shared_ptr<const AlarmMap> alarms_;
   std::vector<KnownFailure> known_;
@@ -66,11 +67,11 @@ TEST_F(Merge, IsTheResultOfAnUndividedRunByteForByte) {
   alarms_ = std::make_shared<const AlarmMap>(
       std::vector<AlarmMap::Entry>{{"PS1", "value-sign"}, {"PS2", "no-tool"}});
   known_ = {{"t.9*", VerdictKind::crash, "", "", "of no case", {}}};
-  results_of(scratch_, "whole", options(), fake_maker(fake_));
+  run_whole();
   run_shards();
   const MergeOutcome outcome = merge({"s2", "s3", "s1"});
   EXPECT_TRUE(outcome.written);
-  EXPECT_EQ(outcome.answer.exit_code, 1);
+  EXPECT_EQ(outcome.footer.answer.exit_code, 1);
   EXPECT_EQ(comparable(scratch_.read("merged")), comparable(scratch_.read("whole")));
 }
 
@@ -90,19 +91,14 @@ TEST_F(Merge, FreshProgramsOfShardsAddUp) {
   ASSERT_EQ(shards.size(), kShards);
   EXPECT_EQ(shards[1]["shard"], "2/3");
   EXPECT_EQ(shards[1]["fresh"]["gsk988ta"]["programs"], 2);
-  EXPECT_TRUE(outcome.answer.head.ends_with("; fresh programs: 3")) << outcome.answer.head;
+  const std::string& head = outcome.footer.answer.head;
+  EXPECT_TRUE(head.ends_with("; fresh programs: 3")) << head;
 }
 
 TEST_F(Merge, ShardsOfDifferentSeedsAreOneRunWithoutASeed) {
   const auto merged_seed = [&](std::uint64_t step) {
-    for (unsigned shard = 1; shard <= kShards; ++shard) {
-      CampaignOptions one = options();
-      one.shard = shard;
-      one.shards = kShards;
-      one.seed = 7 + step * shard;
-      results_of(scratch_, "s" + std::to_string(shard), one, fake_maker(fake_));
-    }
-    EXPECT_EQ(merge({"s1", "s2", "s3"}).answer.exit_code, 0);
+    run_shards(7, step);
+    EXPECT_EQ(merge({"s1", "s2", "s3"}).footer.answer.exit_code, 0);
     const auto header = ResultsReader(scratch_.path("merged")).header();
     for (unsigned shard = 1; shard <= kShards; ++shard) {
       EXPECT_EQ(header["shards"][shard - 1]["seed"], 7 + step * shard);
@@ -122,10 +118,10 @@ TEST_F(Merge, SaysOfCoordinatesWhatAnUndividedRunSays) {
     if (number % 3 != 0 || !record.axes.has(reference::Axis::x)) return;
     record.to[reference::Axis::x] += Number::millionths(number == 0 ? 1'000 : 300);
   };
-  results_of(scratch_, "whole", options(), fake_maker(fake_));
+  run_whole();
   run_shards();
   const MergeOutcome outcome = merge({"s3", "s1", "s2"});
-  const RoundingCensus census = outcome.footer.coordinates.at("gsk988ta");
+  const RoundingCensus census = outcome.footer.answer.coordinates.at("gsk988ta");
   EXPECT_EQ(census.exact(), 66U);
   EXPECT_EQ(census.rounded().count(), 14U);
   EXPECT_EQ(census.rounded().increment().text(), "0.0001");
@@ -134,7 +130,7 @@ TEST_F(Merge, SaysOfCoordinatesWhatAnUndividedRunSays) {
   EXPECT_EQ(comparable(scratch_.read("merged")), comparable(scratch_.read("whole")));
   CampaignOptions parallel = options();
   parallel.jobs = 3;
-  results_of(scratch_, "parallel", parallel, fake_maker(fake_));
+  run("parallel", parallel);
   EXPECT_EQ(comparable(scratch_.read("parallel")), comparable(scratch_.read("whole")));
 }
 
@@ -151,12 +147,10 @@ TEST_F(Merge, ReconcilesTheReadingsOfAllShardsTogether) {
       result.readings = OpenReadings{{"r"}, {reading}, VerdictKind::pass_exact, {}};
       writer.add(result);
     }
-    ResultsFooter footer;
-    const RunAnswer answer = writer.close({}, footer);
-    EXPECT_EQ(answer.exit_code, name[0] == 'w' ? 1 : 0) << name;
+    EXPECT_EQ(writer.close({}).answer.exit_code, name[0] == 'w' ? 1 : 0) << name;
   }
   const MergeOutcome outcome = merge({"s1", "s2"});
-  EXPECT_EQ(outcome.answer.reading_conflict, "d");
+  EXPECT_EQ(outcome.footer.answer.reading_conflict, "d");
   EXPECT_EQ(comparable(scratch_.read("merged")), comparable(scratch_.read("whole")));
 }
 
@@ -164,7 +158,7 @@ TEST_F(Merge, NamesAMissingShardAndWritesNothing) {
   run_shards();
   const MergeOutcome outcome = merge({"s1", "s3"});
   ASSERT_EQ(outcome.missing.size(), 1U);
-  EXPECT_NE(outcome.missing[0].find("2/3"), std::string::npos);
+  EXPECT_TRUE(has(outcome.missing[0], "2/3"));
   EXPECT_FALSE(outcome.written);
   EXPECT_FALSE(std::filesystem::exists(scratch_.path("merged")));
 }
@@ -177,11 +171,8 @@ TEST_F(Merge, AMissingShardIsNoMissingCorpus) {
     replace_in(name, R"("sha256":""})", R"("sha256":")" + corpus.sha256() + "\"}");
   }
   MergeOptions merging;
-  merging.results = {scratch_.path("s1"), scratch_.path("s3")};
-  merging.out = scratch_.path("merged");
-  merging.argv = {"merge"};
   merging.corpus = &corpus;
-  const MergeOutcome outcome = merge_results(merging);
+  const MergeOutcome outcome = merge({"s1", "s3"}, merging);
   EXPECT_TRUE(outcome.has_corpus);
   EXPECT_EQ(outcome.missing, std::vector<std::string>{"shard 2/3 is not there"});
   EXPECT_FALSE(outcome.written);
@@ -193,16 +184,18 @@ TEST_F(Merge, NamesAnIncompleteShard) {
   scratch_.write("s2", text.substr(0, text.rfind("{\"decision\"")));
   const MergeOutcome outcome = merge({"s1", "s2", "s3"});
   ASSERT_EQ(outcome.missing.size(), 1U);
-  EXPECT_NE(outcome.missing[0].find("incomplete"), std::string::npos);
+  EXPECT_TRUE(has(outcome.missing[0], "incomplete"));
   EXPECT_FALSE(outcome.written);
 }
 
 TEST_F(Merge, WritesWhatIsThereWithoutAFooterWhenAsked) {
   run_shards();
-  EXPECT_TRUE(merge({"s1", "s3"}, true).written);
+  MergeOptions merging;
+  merging.partial = true;
+  EXPECT_TRUE(merge({"s1", "s3"}, merging).written);
   const std::string text = scratch_.read("merged");
-  EXPECT_NE(text.find("t.0000"), std::string::npos);
-  EXPECT_EQ(text.find("\"decision\""), std::string::npos);
+  EXPECT_TRUE(has(text, "t.0000"));
+  EXPECT_FALSE(has(text, "\"decision\""));
 }
 
 TEST_F(Merge, AShardThatIsThereTwiceWithTheSameCasesCountsOnce) {
@@ -211,7 +204,7 @@ TEST_F(Merge, AShardThatIsThereTwiceWithTheSameCasesCountsOnce) {
   const MergeOutcome outcome = merge({"s1", "s2", "again", "s3"});
   EXPECT_TRUE(outcome.written);
   EXPECT_EQ(outcome.notes.size(), 1U);
-  EXPECT_EQ(outcome.answer.cases, 40U);
+  EXPECT_EQ(outcome.footer.answer.cases, 40U);
 }
 
 TEST_F(Merge, AShardThatIsThereTwiceWithOtherCasesIsRefused) {
@@ -241,12 +234,12 @@ TEST_F(Merge, RefusesShardsOfDifferentDivisions) {
   CampaignOptions other = options();
   other.shard = 1;
   other.shards = 2;
-  results_of(scratch_, "half", other, fake_maker(fake_));
+  run("half", other);
   EXPECT_THROW(merge({"s1", "s2", "s3", "half"}), MergeError);
 }
 
 TEST_F(Merge, RefusesCasesThatBelongToAnotherShard) {
-  results_of(scratch_, "whole", options(), fake_maker(fake_));
+  run_whole();
   replace_in("whole", "\"shard\":\"1/1\"", "\"shard\":\"1/3\"");
   EXPECT_THROW(merge({"whole"}), MergeError);
 }

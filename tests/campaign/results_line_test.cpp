@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign_testing.hpp"
 #include "campaign/results_reader.hpp"
+#include "campaign_testing.hpp"
 #include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
@@ -56,7 +56,7 @@ TEST(CaseLine, WithoutItsTimesIsWhatTheHashTakes) {
 TEST(CaseLine, WithoutItsTimesHasNoNotes) {
   CaseResult other = failed();
   other.notes = "other";
-  EXPECT_NE(case_line(other, true).find("other"), std::string::npos);
+  EXPECT_TRUE(has(case_line(other, true), "other"));
   EXPECT_EQ(line_without_timing(case_line(other, true)),
             line_without_timing(case_line(failed(), true)));
 }
@@ -68,23 +68,23 @@ TEST(CaseLine, WithoutItsTimesWhenSomebodyElseWroteIt) {
 TEST(CaseLine, SaysOfAGapWhetherItWasExpected) {
   CaseResult gap = passed("a");
   gap.verdict.kind = VerdictKind::oracle_gap;
-  EXPECT_EQ(case_line(gap, false).find("expected"), std::string::npos);
+  EXPECT_FALSE(has(case_line(gap, false), "expected"));
   gap.expected_gap = true;
-  EXPECT_NE(case_line(gap, false).find("\"expected\":true"), std::string::npos);
+  EXPECT_TRUE(has(case_line(gap, false), "\"expected\":true"));
 }
 
 // What broke the relation names its rule, what the gauge cannot say its reason; other lines
 // neither.
 TEST(CaseLine, NamesTheRuleOrTheReasonOfAGap) {
-  EXPECT_NE(case_line(failed(), false).find("\"rule\":\"R2\""), std::string::npos);
+  EXPECT_TRUE(has(case_line(failed(), false), "\"rule\":\"R2\""));
   CaseResult gap = passed("a");
   gap.verdict = gap_verdict(GapReason::samples_hole, "A hole.");
   const std::string line = case_line(gap, false);
-  EXPECT_NE(line.find("\"gap\":\"samples-hole\""), std::string::npos) << line;
-  EXPECT_EQ(line.find("\"rule\""), std::string::npos) << line;
+  EXPECT_TRUE(has(line, "\"gap\":\"samples-hole\""));
+  EXPECT_FALSE(has(line, "\"rule\""));
   const std::string pass = case_line(passed("a"), false);
-  EXPECT_EQ(pass.find("\"rule\""), std::string::npos) << pass;
-  EXPECT_EQ(pass.find("\"gap\""), std::string::npos) << pass;
+  EXPECT_FALSE(has(pass, "\"rule\""));
+  EXPECT_FALSE(has(pass, "\"gap\""));
 }
 
 TEST(CaseLine, OfAKnownFailureKeepsItsRuleMessageAndReason) {

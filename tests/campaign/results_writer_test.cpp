@@ -6,8 +6,8 @@
 
 #include <csignal>
 
-#include "campaign_testing.hpp"
 #include "campaign/results_reader.hpp"
+#include "campaign_testing.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -33,10 +33,9 @@ TEST(ResultsWriter, SortsTheLinesAndTheReaderAgreesWithItsFooter) {
   const Scratch scratch;
   ResultsWriter writer(scratch.path("r.jsonl"), header_of("1"));
   for (const char* id : {"c", "a", "b"}) writer.add(passed(id));
-  ResultsFooter footer;
-  const RunAnswer answer = writer.close({}, footer);
+  const RunAnswer answer = writer.close({}).answer;
   EXPECT_EQ(answer.decision, "GO");
-  EXPECT_EQ(footer.cases, 3U);
+  EXPECT_EQ(answer.cases, 3U);
   EXPECT_EQ(ids_in(scratch.path("r.jsonl")), (std::vector<std::string>{"a", "b", "c"}));
   EXPECT_FALSE(std::filesystem::exists(scratch.path("r.jsonl.part")));
 }
@@ -47,8 +46,7 @@ TEST(ResultsWriter, ARunThatStoppedHasNoFooter) {
   writer.add(passed("a"));
   ResultsWriter::Ending ending;
   ending.is_complete = false;
-  ResultsFooter footer;
-  EXPECT_EQ(writer.close(ending, footer).cases, 1U);
+  EXPECT_EQ(writer.close(ending).answer.cases, 1U);
   ResultsReader reader(scratch.path("r.jsonl"));
   for (Json line; reader.next(line);) EXPECT_EQ(line["id"], "a");
   EXPECT_FALSE(reader.footer().has_value());
@@ -70,8 +68,7 @@ TEST(ResultsWriter, GoesOnFromAJournalAndDropsItsHalfLine) {
     EXPECT_FALSE(writer.has("c"));
     EXPECT_EQ(writer.resumed(), 1U);
     writer.add(passed("a"));
-    ResultsFooter footer;
-    writer.close({}, footer);
+    writer.close({});
     EXPECT_EQ(ids_in(scratch.path("r.jsonl")), (std::vector<std::string>{"a", "b"}));
   }
 }
@@ -90,7 +87,7 @@ TEST(ResultsWriter, DoesNotGoOnFromTheJournalOfAnotherRun) {
     const ResultsWriter writer(scratch.path("r.jsonl"), header_of("2"), Start::resume);
     FAIL();
   } catch (const ResultsRefused& error) {
-    EXPECT_NE(std::string(error.what()).find("\"gonogo\""), std::string::npos) << error.what();
+    EXPECT_TRUE(has(error.what(), "\"gonogo\""));
   }
 }
 
@@ -113,17 +110,15 @@ TEST(ResultsWriter, AFreshProgramIsALineOfTheResultsAndNotOfTheJournal) {
   CaseResult departure = passed("fresh.gsk988ta.00000000.000001");
   departure.verdict.kind = VerdictKind::fail_geometry;
   writer.add_fresh(departure);
-  EXPECT_EQ(scratch.read("r.jsonl.part").find("fresh"), std::string::npos);
-  ResultsFooter footer;
+  EXPECT_FALSE(has(scratch.read("r.jsonl.part"), "fresh"));
   ResultsWriter::Ending ending;
   ending.fresh["gsk988ta"] = {2, 1, 1};
-  const RunAnswer answer = writer.close(ending, footer);
-  EXPECT_EQ(answer.decision, "NO-GO");
-  EXPECT_TRUE(answer.head.ends_with("; fresh programs: 1")) << answer.head;
+  const ResultsFooter footer = writer.close(ending);
+  EXPECT_EQ(footer.answer.decision, "NO-GO");
+  EXPECT_TRUE(footer.answer.head.ends_with("; fresh programs: 1")) << footer.answer.head;
   EXPECT_EQ(ids_in(scratch.path("r.jsonl")), (std::vector<std::string>{"a", departure.id, "g"}));
-  EXPECT_NE(
-      footer_line(footer).find(R"("fresh":{"gsk988ta":{"wanted":2,"programs":1,"judged":1}})"),
-      std::string::npos);
+  EXPECT_TRUE(
+      has(footer_line(footer), R"("fresh":{"gsk988ta":{"wanted":2,"programs":1,"judged":1}})"));
 }
 
 TEST(ResultsWriter, ADamagedJournalIsRefused) {
@@ -138,8 +133,7 @@ TEST(ResultsWriter, ACaseThatIsThereTwiceIsAnError) {
   ResultsWriter writer(scratch.path("r.jsonl"), header_of("1"));
   writer.add(passed("a"));
   writer.add(passed("a"));
-  ResultsFooter footer;
-  EXPECT_THROW(writer.close({}, footer), std::runtime_error);
+  EXPECT_THROW(writer.close({}), std::runtime_error);
   EXPECT_TRUE(std::filesystem::exists(scratch.path("r.jsonl.part")));
 }
 
@@ -164,8 +158,7 @@ TEST(ResultsWriter, ViewsOfResultsGoBeforeOthersTakeTheirPlace) {
   const auto run = [&](const std::string& name) {
     ResultsWriter writer(scratch.path(name), header_of("1"));
     writer.add(passed("a"));
-    ResultsFooter footer;
-    writer.close({}, footer);
+    writer.close({});
   };
   for (const char* view : kViews) scratch.write(std::string("report/") + view, "of another");
   scratch.write("report/mine.txt", "mine");
@@ -192,8 +185,7 @@ TEST(ResultsWriter, DecidesFromWhatWasAddedWhateverBecameOfTheJournal) {
   writer.add(failed);
   writer.add(passed("b"));
   scratch.write("r.jsonl.part", scratch.read("r.jsonl.part").substr(0, 20));
-  ResultsFooter footer;
-  const RunAnswer answer = writer.close({}, footer);
+  const RunAnswer answer = writer.close({}).answer;
   EXPECT_EQ(answer.decision, "NO-GO");
   EXPECT_EQ(answer.cases, 2U);
 }
@@ -243,8 +235,8 @@ TEST(ResultsWriter, AlarmsThatNoCaseMetAreStaleInAWholeRunAndListedInAShard) {
     ResultsWriter::Ending ending;
     ending.alarms = {"A", "B"};
     ending.is_shard = is_shard;
-    ResultsFooter footer;
-    EXPECT_EQ(writer.close(ending, footer).exit_code, is_shard ? 0 : 1);
+    const ResultsFooter footer = writer.close(ending);
+    EXPECT_EQ(footer.answer.exit_code, is_shard ? 0 : 1);
     EXPECT_EQ(footer.unused_alarms, std::vector<std::string>{"B"});
     EXPECT_EQ(footer.stale.size(), is_shard ? 0U : 1U);
   }

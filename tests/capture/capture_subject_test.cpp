@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "capture/capture_subject.hpp"
+#include "tests/has.hpp"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +81,7 @@ TEST_F(CaptureSubject, AHeaderThatDoesNotLeadToTheStartIsAFault) {
         "{\"k\":\"rapid\",\"b\":4,\"to\":{\"x\":\"25\"}}\n");
   const RunEnd end = run("a.1");
   EXPECT_EQ(end.kind, RunEnd::Kind::protocol);
-  EXPECT_NE(end.message.find("The header ends at z7"), std::string::npos) << end.message;
+  EXPECT_TRUE(has(end.message, "The header ends at z7"));
 }
 
 TEST_F(CaptureSubject, AnAlarmInTheHeaderIsNoneOfTheProgram) {
@@ -101,6 +102,16 @@ TEST_F(CaptureSubject, LinesAreComparedWhereMotionsHaveThem) {
   for (const char* name : {"a.jsonl", "b.jsonl", "c.jsonl"}) write(name, end);
   EXPECT_FALSE(make_capture_subject(folder_.string(), {})->info().features.contains("blocks"));
   write("b.jsonl", "{\"k\":\"rapid\",\"b\":1,\"to\":{\"x\":\"0\"}}\n" + end);
+  EXPECT_TRUE(make_capture_subject(folder_.string(), {})->info().features.contains("blocks"));
+}
+
+// One trace with lines makes the others no fault.
+TEST_F(CaptureSubject, LinesAreComparedOnlyWhereEveryTraceHasThem) {
+  write("a.jsonl", "{\"k\":\"rapid\",\"b\":1,\"to\":{\"x\":\"0\"}}\n");
+  write("b.jsonl", "{\"k\":\"rapid\",\"to\":{\"x\":\"0\"}}\n");
+  write("c.jsonl", "{\"k\":\"alarm\",\"class\":\"syntax\"}\n");
+  EXPECT_FALSE(make_capture_subject(folder_.string(), {})->info().features.contains("blocks"));
+  write("b.jsonl", "{\"k\":\"rapid\",\"b\":2,\"to\":{\"x\":\"0\"}}\n");
   EXPECT_TRUE(make_capture_subject(folder_.string(), {})->info().features.contains("blocks"));
 }
 
@@ -127,7 +138,7 @@ TEST_F(CaptureSubject, ABadFileIsAFaultOfTheProtocol) {
   write("a.1.csv", "t,x,z\n0,0\n");
   const RunEnd samples = run("a.1");
   EXPECT_EQ(samples.kind, RunEnd::Kind::protocol);
-  EXPECT_NE(samples.message.find("line 2, column 3"), std::string::npos) << samples.message;
+  EXPECT_TRUE(has(samples.message, "line 2, column 3"));
   write("a.2.jsonl", "{\"k\":\"rapid\",\"to\":{\"x\":1}}\n");
   EXPECT_EQ(run("a.2").kind, RunEnd::Kind::protocol);
 }

@@ -5,6 +5,7 @@
 
 #include "capture/export_header.hpp"
 #include "capture/exporter.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -56,10 +57,10 @@ TEST(ExportHeader, LeadsToTheInitialPositionZFirst) {
   profile.initial.at[Axis::z] = 12;
   const auto header = export_header(profile, "G01 X50 F100\n", {Axis::x});
   ASSERT_TRUE(header);
-  EXPECT_NE(header->text.find("G0 Z12\nG0 X60\n"), std::string::npos) << header->text;
+  EXPECT_TRUE(has(header->text, "G0 Z12\nG0 X60\n"));
   const auto mill = export_header(plain("rs274"), "G1 X50 F100\n", {Axis::x});
   ASSERT_TRUE(mill);
-  EXPECT_NE(mill->text.find("G0 Z0\nG0 X0 Y0\n"), std::string::npos) << mill->text;
+  EXPECT_TRUE(has(mill->text, "G0 Z0\nG0 X0 Y0\n"));
 }
 
 // rs274 has no motion in force at the start: a first block "X1" is a fault, and must stay one.
@@ -103,10 +104,10 @@ TEST(Exporter, NoHeaderLeadsToTheSpindlesAxis) {
     return exporter.finish();
   };
   const std::string left_out = exported(std::nullopt);
-  EXPECT_NE(left_out.find("1 of 2 cases"), std::string::npos) << left_out;
-  EXPECT_NE(left_out.find("start-on-spindle-axis"), std::string::npos) << left_out;
+  EXPECT_TRUE(has(left_out, "1 of 2 cases"));
+  EXPECT_TRUE(has(left_out, "start-on-spindle-axis"));
   const std::string all = exported(Number(100));
-  EXPECT_NE(all.find("2 of 2 cases"), std::string::npos) << all;
+  EXPECT_TRUE(has(all, "2 of 2 cases"));
   EXPECT_TRUE(fs::exists(folder / "compare.py"));
   EXPECT_GT(fs::file_size(folder / "expected.jsonl"), 0U);
   fs::remove_all(folder);

@@ -11,6 +11,7 @@
 
 #include "capture/sample_rhythm.hpp"
 #include "tests/capture/sampling.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -59,7 +60,7 @@ void expect_hole(const Rows& rows, const std::string& times) {
   const Verdict verdict = judge_samples(kWay, csv_of(rows));
   EXPECT_EQ(verdict.kind, VerdictKind::oracle_gap) << times << ": " << verdict.message;
   EXPECT_EQ(verdict.gap, GapReason::samples_hole) << times;
-  EXPECT_NE(verdict.message.find(times), std::string::npos) << verdict.message;
+  EXPECT_TRUE(has(verdict.message, times));
 }
 
 // J-RUN-11
@@ -132,8 +133,7 @@ TEST(SampleHoles, WhatTheRhythmDoesNotShowStandsInTheCase) {
   ASSERT_NE(verdict.sampled, nullptr);
   EXPECT_EQ(verdict.sampled->longest, "0.1");
   EXPECT_EQ(verdict.sampled->unseen, "50");  // 1,000 mm/s for half of it
-  EXPECT_NE(verdict.message.find("50 mm away from the path and back"), std::string::npos)
-      << verdict.message;
+  EXPECT_TRUE(has(verdict.message, "50 mm away from the path and back"));
 }
 
 // What leads to the start is not the program's.

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "tests/capture/sampling.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -44,7 +45,7 @@ TEST(SampledFigures, AToleranceFinerThanTheNoiseIsNoNoGo) {
   const Number noise = *Number::parse(verdict.sampled->noise);
   EXPECT_GT(noise, Number::millionths(1'500));
   EXPECT_LE(noise, Number::millionths(3'000));
-  EXPECT_NE(verdict.message.find("--tolerance"), std::string::npos) << verdict.message;
+  EXPECT_TRUE(has(verdict.message, "--tolerance"));
 }
 
 TEST(SampledFigures, ADepartureThatNoiseDoesNotExplainStaysNoGo) {
@@ -66,7 +67,7 @@ TEST(SampledFigures, GoFromIsTheLeastTolerance) {
   const Verdict verdict = judge_samples({kProgram}, csv_of(rows));
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
   EXPECT_EQ(verdict.sampled->go_from, "0.008");
-  EXPECT_NE(verdict.message.find("GO from 0.008 mm up."), std::string::npos) << verdict.message;
+  EXPECT_TRUE(has(verdict.message, "GO from 0.008 mm up."));
 }
 
 TEST(SampledFigures, AGoSaysHowFarOffItWasAndWhere) {
@@ -77,7 +78,19 @@ TEST(SampledFigures, AGoSaysHowFarOffItWasAndWhere) {
   EXPECT_EQ(verdict.kind, VerdictKind::pass_tolerance) << verdict.message;
   EXPECT_EQ(verdict.sampled->worst, "0.0007");
   EXPECT_EQ(verdict.sampled->worst_block, 3U);
-  EXPECT_NE(verdict.sampled->worst_at.find("0.0007"), std::string::npos);
+  EXPECT_TRUE(has(verdict.sampled->worst_at, "0.0007"));
+}
+
+// The samples are 0.05 mm beside the path: no coordinate of theirs is exact.
+TEST(SampledFigures, SamplesHaveNoCountsOfCoordinates) {
+  SampledMachine machine;
+  machine.line({10, 0, 0.05}, 600).line({10, 10, 0.05}, 600);
+  auto rows = machine.rows();
+  for (auto& row : rows) row.at.z = 0.05;
+  const Verdict verdict = judge_samples(
+      {.program = "G1 X10 F600\nY10\nM2\n", .dialect = "rs274", .tolerance = "0.1"}, csv_of(rows));
+  EXPECT_EQ(verdict.kind, VerdictKind::pass_tolerance) << verdict.message;
+  EXPECT_FALSE(verdict.coordinates);
 }
 
 // The corner at (20, 0) rounded by a quarter of radius r: off the path by r (1 - sqrt(1/2)) at
@@ -132,7 +145,7 @@ TEST(SampledColumns, OtherNamesSeparatorsUnitsAndCommasAreRead) {
   named.columns = "t=Time[ms],x=X_act,y=Y_act,z=Z_act:in";
   const Verdict twice = judge_samples(named, text);
   EXPECT_EQ(twice.kind, VerdictKind::fail_geometry);
-  EXPECT_NE(twice.message.find("x=NAME:diameter"), std::string::npos) << twice.message;
+  EXPECT_TRUE(has(twice.message, "x=NAME:diameter"));
 }
 
 TEST(SampledColumns, WhatCannotBeReadIsNamed) {

@@ -95,9 +95,9 @@ Verdict judge_samples(const SampledCase& test, const std::string& csv) {
   const TemporaryFile file(csv);
   const auto profile =
       std::get<reference::Profile>(reference::default_profile(std::string(test.dialect)));
-  std::optional<Number> tolerance;
-  if (!test.tolerance.empty()) tolerance = Number::parse(test.tolerance);
-  const Tolerances tolerances = make_tolerances({}, profile, tolerance, std::nullopt);
+  Grants grants;
+  if (!test.tolerance.empty()) grants.tolerance = Number::parse(test.tolerance);
+  const Tolerances tolerances = make_tolerances({}, profile, grants);
   SampledTolerances sampled;
   sampled.header_lines = test.header_lines;
   sampled.feed_tolerance = *Number::parse(test.feed_tolerance);

@@ -14,6 +14,9 @@
 
 namespace gonogo::oracle {
 
+inline constexpr double kRapid = 6000;  // mm/min
+inline constexpr double kFeed = 1200;
+
 struct Point {
   double x = 0, y = 0, z = 0;
 };

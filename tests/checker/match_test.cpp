@@ -75,6 +75,35 @@ TEST(CheckerMatch, ATraverseMayNotTurnBackNorMoveAnotherAxis) {
       Answer::departs);
 }
 
+// R4: two that turn back within the tolerance may do so by twice it, and no number of them by more.
+TEST(CheckerMatch, ATraverseMayNotCreepBack) {
+  const std::string want = to("rapid", R"("x":"100","z":"10")");
+  std::vector<std::string> got = {to("rapid", R"("x":"20","z":"10")"),
+                                  to("rapid", R"("x":"30","z":"9.999")"),
+                                  to("rapid", R"("x":"40","z":"9.998")"), want};
+  EXPECT_EQ(found({want}, got).answer, Answer::fits);
+  got.insert(got.end() - 1, to("rapid", R"("x":"50","z":"9.997")"));
+  EXPECT_EQ(found({want}, got).answer, Answer::departs);
+}
+
+// Down by nine thousandths and up again, each motion no longer than the tolerance.
+TEST(CheckerMatch, ShortMotionsThatLeadAwayAreADeparture) {
+  std::vector<std::string> got;
+  for (const int depth : {1, 2, 3, 4, 5, 6, 7, 8, 9, 8, 7, 6, 5, 4, 3, 2, 1}) {
+    got.push_back(to("feed", R"("z":"-0.00)" + std::to_string(depth) + "\""));
+  }
+  got.push_back(to("feed", R"("z":"0")"));
+  got.push_back(kLine);
+  EXPECT_EQ(found({kLine}, got).answer, Answer::departs);
+  EXPECT_EQ(found({kLine}, {got.front(), kLine}).answer, Answer::fits);
+}
+
+TEST(CheckerMatch, ACircleInSpaceThatIsNotDueIsADeparture) {
+  const std::string circle = R"({"k":"arc3","b":1,"to":{"x":"0","y":"0","z":"0"},)"
+                             R"("via":{"x":"0","y":"100","z":"-50"},"f":"100"})";
+  EXPECT_EQ(found({kLine}, {circle, kLine}).answer, Answer::departs);
+}
+
 TEST(CheckerMatch, AnArcMayComeInPieces) {
   // (0, -10) is a quarter on; 0.0005 off is no exact continuation, but within the tolerance.
   const std::string quarter = arc(R"("x":"0.0005","y":"-10")");

@@ -31,6 +31,24 @@ TEST(CheckerPath, AMotionThatGoesNowhereIsDropped) {
   EXPECT_EQ(path_of({feed(R"("x":"0.001")"), feed(R"("x":"1")")}).motions.size(), 1U);
 }
 
+// From 0 by thousandths: the second leads away from where the path stood, and the third goes on.
+TEST(CheckerPath, MotionsThatGoNowhereOneByOneAddUp) {
+  const Path path =
+      path_of({feed(R"("z":"-0.001")"), feed(R"("z":"-0.002")"), feed(R"("z":"-0.003")")});
+  ASSERT_EQ(path.motions.size(), 1U);
+  EXPECT_EQ(equal(*path.motions[0].to[2], Rational(-3, 1000)), Truth::yes);
+  EXPECT_FALSE(path.is_doubtful);
+}
+
+TEST(CheckerPath, AnArcInSpaceThatComesBackGoesSomewhere) {
+  const auto circle = [](const char* y) {
+    return std::string(R"({"k":"arc3","b":1,"to":{"x":"0","y":"0","z":"0"},"via":{"x":"0","y":")") +
+           y + R"(","z":"0"},"f":"100"})";
+  };
+  EXPECT_EQ(path_of({circle("100")}).motions.size(), 1U);
+  EXPECT_TRUE(path_of({circle("0.001")}).motions.empty());
+}
+
 TEST(CheckerPath, ADwellOfNoTimeIsDropped) {
   EXPECT_TRUE(path_of({R"({"k":"dwell","b":1,"s":"0"})"}).motions.empty());
 }

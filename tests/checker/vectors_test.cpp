@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/checker/workshop.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::checker {
 namespace {
@@ -13,15 +14,14 @@ void expect_fault(const std::string& from, const std::string& to, const std::str
   shop.change_vectors(from, to);
   const Said said = shop.check_vectors();
   EXPECT_NE(said.exit_code, 0) << from << " -> " << to;
-  EXPECT_NE(said.text.find(sentence), std::string::npos) << said.text;
+  EXPECT_TRUE(has(said.text, sentence));
 }
 
 TEST(CheckerVectors, WhatIsWholeHasNoFault) {
   Workshop shop;
   const Said said = shop.check_vectors();
   EXPECT_EQ(said.exit_code, 0) << said.text;
-  EXPECT_NE(said.text.find("3 vectors, 3 expectations, 6 records: 0 faults"), std::string::npos)
-      << said.text;
+  EXPECT_TRUE(has(said.text, "3 vectors, 3 expectations, 6 records: 0 faults"));
 }
 
 TEST(CheckerVectors, AnEndThatIsNotThatOfThePathIsNoticed) {

@@ -13,6 +13,7 @@
 #include "checker/sha256.hpp"
 #include "checker/vectors.hpp"
 #include "checker/verdicts.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::checker {
 namespace {
@@ -156,7 +157,8 @@ std::string Workshop::results_text() {
   std::string text = R"({"format":2,"gonogo":"0.1.0","corpus":{"version":"2026.1.0","sha256":")" +
                      corpus.sha256() + R"("},"subject":{"name":"tiny","numeric":{"kind":"fixed",)" +
                      R"("resolution":"0.001"},"features":["blocks","m"]},"profile":{},)" +
-                     R"("tolerance":null,"chord":null,"seed":0,"shard":"1/1","argv":[]})" + "\n";
+                     R"("tolerance":null,"chord":null,"seed":0,"shard":"1/1","argv":["certify"]})" +
+                     "\n";
   Sha256 hash;
   std::map<std::string, int> totals;
   bool no_go = false;
@@ -204,6 +206,12 @@ Said Workshop::check_verdicts() {
                                     (folder_ / "corpus").string(), (folder_ / "traces").string()},
                                    out);
   });
+}
+
+void expect_said(Workshop& shop, int exit_code, const std::string& sentence) {
+  const Said said = shop.check_verdicts();
+  EXPECT_EQ(said.exit_code, exit_code) << said.text;
+  EXPECT_TRUE(has(said.text, sentence));
 }
 
 }  // namespace gonogo::checker

@@ -12,6 +12,10 @@
 
 namespace gonogo::checker {
 
+inline const std::string kLineCase = "tiny.line.000001";
+inline const std::string kArcCase = "tiny.arc.000001";
+inline const std::string kAlarmCase = "tiny.alarm.000001";
+
 struct Said {
   int exit_code = 0;
   std::string text;
@@ -34,6 +38,8 @@ class Workshop {
   void set_trace(const std::string& id, const std::string& records) { traces_[id] = records; }
   void drop_trace(const std::string& id) { traces_.erase(id); }
   void change_trace(const std::string& id, const std::string& from, const std::string& to);
+  // The trace of the line departs.
+  void depart() { change_trace(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"3"},"f")"); }
   // A verdict that stands in the line with the records of its trace.
   void set_verdict(const std::string& id, const std::string& verdict);
 
@@ -53,5 +59,8 @@ class Workshop {
   std::map<std::string, std::string> traces_;
   std::vector<std::pair<std::string, std::string>> results_changes_;
 };
+
+// That it says the sentence of the results.
+void expect_said(Workshop& shop, int exit_code, const std::string& sentence);
 
 }  // namespace gonogo::checker

@@ -19,7 +19,6 @@ const std::map<std::string, oracle::Case>& checked_in_cases() {
     std::map<std::string, oracle::Case> cases;
     oracle::Corpus(corpus_folder()).for_each([&](const oracle::Case& test) {
       cases.emplace(test.id, test);
-      return true;
     });
     return cases;
   }();

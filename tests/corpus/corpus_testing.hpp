@@ -13,7 +13,7 @@
 namespace gonogo::testing {
 
 // Raised with every change of the corpus (corpus/recipes/corpus.toml).
-inline constexpr const char* kCorpusVersion = "2026.30.0";
+inline constexpr const char* kCorpusVersion = "2026.31.0";
 
 // The corpus of the checkout.
 std::string corpus_folder();

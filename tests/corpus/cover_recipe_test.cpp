@@ -5,6 +5,7 @@
 
 #include "corpus_testing.hpp"
 #include "fuzz/generate/cover/cases.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::testing {
 namespace {
@@ -36,14 +37,14 @@ TEST(CoverRecipe, LeavesOutWhatItNames) {
 TEST(CoverRecipe, AnotherVersionOfTheModelIsNoticed) {
   std::string text(kGoodCoverRecipe);
   text.replace(text.find("version = 1"), 11, "version = 9");
-  EXPECT_NE(cover_recipe_error(text).find("is at version 1"), std::string::npos);
+  EXPECT_TRUE(has(cover_recipe_error(text), "is at version 1"));
 }
 
 TEST(CoverRecipe, AnUnknownModelOrKeyIsNamed) {
   std::string text(kGoodCoverRecipe);
-  EXPECT_NE(cover_recipe_error(text + "colour = 1\n").find("no key colour"), std::string::npos);
+  EXPECT_TRUE(has(cover_recipe_error(text + "colour = 1\n"), "no key colour"));
   text.replace(text.find("ngc.line"), 8, "ngc.none");
-  EXPECT_NE(cover_recipe_error(text).find("no model ngc.none"), std::string::npos);
+  EXPECT_TRUE(has(cover_recipe_error(text), "no model ngc.none"));
 }
 
 // The completeness that the corpus states, counted from the tags of its cases alone.

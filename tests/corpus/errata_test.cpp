@@ -7,6 +7,7 @@
 #include <set>
 
 #include "corpus_testing.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::testing {
 namespace {
@@ -38,12 +39,11 @@ TEST(Errata, AnEntryHasFourTexts) {
 TEST(Errata, AMissingTextIsNamed) {
   std::string text(kGoodErratum);
   text.erase(text.find("what"), text.find("since") - text.find("what"));
-  EXPECT_NE(errata_error(text).find("needs the text what"), std::string::npos);
+  EXPECT_TRUE(has(errata_error(text), "needs the text what"));
 }
 
 TEST(Errata, AnUnknownKeyIsNamed) {
-  EXPECT_NE(errata_error(std::string(kGoodErratum) + "why = \"x\"\n").find("no key why"),
-            std::string::npos);
+  EXPECT_TRUE(has(errata_error(std::string(kGoodErratum) + "why = \"x\"\n"), "no key why"));
 }
 
 // 2026.10.0 is after 2026.9.0 though it sorts before it as a text.
@@ -56,7 +56,7 @@ TEST(Errata, VersionsAreComparedByTheirNumbers) {
 TEST(Errata, WhatWasWrongWasWrongBeforeItWasRight) {
   std::string text(kGoodErratum);
   text.replace(text.find("2026.10.0"), 9, "2026.9.0");
-  EXPECT_NE(errata_error(text).find("which is not before 2026.9.0"), std::string::npos);
+  EXPECT_TRUE(has(errata_error(text), "which is not before 2026.9.0"));
 }
 
 TEST(Errata, OneMayBeOfManyCases) {
@@ -69,10 +69,7 @@ TEST(Errata, OneMayBeOfManyCases) {
 TEST(Errata, TheCheckedInOnesAreOfCasesThatAreThereOrRetired) {
   const oracle::Corpus corpus(corpus_folder());
   std::set<std::string> ids(corpus.retired().begin(), corpus.retired().end());
-  corpus.for_each([&](const oracle::Case& test) {
-    ids.insert(test.id);
-    return true;
-  });
+  corpus.for_each([&](const oracle::Case& test) { ids.insert(test.id); });
   const auto errata = oracle::read_errata(corpus_folder());
   EXPECT_GE(errata.size(), 7U);
   for (const oracle::Erratum& erratum : errata) {

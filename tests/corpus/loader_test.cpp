@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "corpus_testing.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::testing {
 namespace {
@@ -55,9 +56,9 @@ TEST(Loader, NoJson) {
 }
 
 TEST(Loader, AKeyTwice) {
-  EXPECT_NE(vector_file_error(broken("\"cycle\":\"g94\"", "\"cycle\":\"g94\",\"cycle\":\"g94\""))
-                .find("cycle"),
-            std::string::npos);
+  EXPECT_TRUE(
+      has(vector_file_error(broken("\"cycle\":\"g94\"", "\"cycle\":\"g94\",\"cycle\":\"g94\"")),
+          "cycle"));
 }
 
 TEST(Loader, AMissingKey) {
@@ -168,9 +169,8 @@ std::string corpus_error_with(std::string_view second, std::string_view retired 
                     std::string(files) + "],\"retired\":[" + std::string(retired) + "]}");
   scratch.write("vectors/a.json", kGoodVectorFile);
   scratch.write("vectors/b.json", second);
-  const std::string message = corpus_error([&] {
-    oracle::Corpus(scratch.path().string()).for_each([](const oracle::Case&) { return true; });
-  });
+  const std::string message = corpus_error(
+      [&] { oracle::Corpus(scratch.path().string()).for_each([](const oracle::Case&) {}); });
   const std::string folder = scratch.path().string();
   return message.starts_with(folder) ? message.substr(folder.size()) : message;
 }
@@ -225,7 +225,8 @@ TEST(Corpus, AFileInTheFolderOfAnotherDialect) {
 }
 
 TEST(Corpus, AFolderThatIsNone) {
-  EXPECT_TRUE(corpus_error([] { oracle::Corpus("/nowhere"); }).starts_with("/nowhere is no corpus"));
+  EXPECT_TRUE(
+      corpus_error([] { oracle::Corpus("/nowhere"); }).starts_with("/nowhere is no corpus"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "corpus/recipes/corpus_text.hpp"
 #include "corpus_testing.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::testing {
 namespace {
@@ -87,11 +88,11 @@ TEST(Recipe, AReadingWithoutEffect) {
 }
 
 TEST(Recipe, AKeyThatRecipesDoNotHave) {
-  EXPECT_NE(recipe_error("program = \"\"\nalarms = []\n").find("alarms"), std::string::npos);
+  EXPECT_TRUE(has(recipe_error("program = \"\"\nalarms = []\n"), "alarms"));
 }
 
 TEST(Recipe, NoToml) {
-  EXPECT_NE(recipe_error("program = \n").find("a.toml:"), std::string::npos);
+  EXPECT_TRUE(has(recipe_error("program = \n"), "a.toml:"));
 }
 
 TEST(Recipes, AnIdIsUsedOnce) {
@@ -108,10 +109,8 @@ id = "t.a.000001"
 comment = "one"
 program = ""
 )");
-  EXPECT_NE(corpus_error([&] {
-              recipes::corpus_from_recipes(scratch.path().string());
-            }).find("the id t.a.000001 was used before"),
-            std::string::npos);
+  EXPECT_TRUE(has(corpus_error([&] { recipes::corpus_from_recipes(scratch.path().string()); }),
+                  "the id t.a.000001 was used before"));
 }
 
 }  // namespace

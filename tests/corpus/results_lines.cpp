@@ -70,9 +70,8 @@ int main(int argc, char** argv) {
   known.verdict.departure = VerdictKind::fail_feed;
   known.verdict.known = "a known bug";
   writer.add(known);
-  ResultsFooter footer;
   ResultsWriter::Ending ending;
   ending.alarms = {"PS0061", "PS0062"};
-  writer.close(ending, footer);
+  writer.close(ending);
   return 0;
 }

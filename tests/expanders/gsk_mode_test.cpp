@@ -115,6 +115,13 @@ TEST(GskPocketMode, NonModalCodesKeepTheMode) {
   EXPECT_EQ(of_block(outcome, 4).substr(0, 13), "rapid x=9 z=9");
 }
 
+// The tool is at the R plane, Y-5; R-7 counts from Y0.
+TEST(GskPocketMode, ThePlaneWrittenAgainLeavesTheInitialPlane) {
+  const Outcome outcome = run("G110 X0 Z0 V-5 R-5 I3 L3 Q9 D2 F100\nG18 X0 Z0 V-5 R-7\n",
+                              R"({"x_diameter":false,"readings":{"gsk.pocket.end":"r-plane"}})");
+  EXPECT_EQ(of_block(outcome, 2).substr(0, 32), "rapid y=-7\nfeed y=-12 f=100\nfeed");
+}
+
 TEST(GskPocketMode, RenamingCarriesTheInitialPlaneAlong) {
   // Y0 becomes Y100: the pocket starts from and returns to Y100.
   const Outcome outcome = after_entry("G50 Y100\nX9 Z9 V-1 R-3\n");

@@ -116,6 +116,15 @@ TEST(GskReading, Retained) {
             "feed x=-8 z=-0.5 f=50");
 }
 
+// I0.5 and D0.25 of inches are 12.7 and 6.35 mm, so that the helix has the radius 6.35; or 0.25 mm.
+TEST(GskReading, RetainedByAMillingCycle) {
+  const std::string program = "G20 G112 I0.5 D0.25 F10\nG21 X0 Z0 Y-3\n";
+  EXPECT_EQ(run_with_reading("gsk.pocket.retained", "length", program).records[1],
+            "arc18 c=0,0 rot=-1 x=-6.35 y=-3 z=0 f=254");
+  EXPECT_EQ(run_with_reading("gsk.pocket.retained", "number", program).records[1],
+            "arc18 c=0,0 rot=-1 x=-0.25 y=-3 z=0 f=254");
+}
+
 TEST(GskReading, FeedChange) {
   const std::string program = "F50\nG99 G1 X20\n";
   EXPECT_EQ(run_with_reading("gsk.feed-change", "kept", program).answer, GONOGO_OK);
@@ -127,6 +136,16 @@ TEST(GskReading, MissingAxis) {
   const std::string program = "G110 I3 L3 Q9 D2 F100 X5 Y-3\n";
   EXPECT_EQ(run_with_reading("gsk.missing-axis", "skip", program).motions(), "");
   EXPECT_EQ(run_with_reading("gsk.missing-axis", "position", program).motions(), "rapid x=5\n");
+  const auto milled = [](const char* block) {
+    return run_with_reading("gsk.missing-axis", "current", block).motions();
+  };
+  // The plane is that of Z and X; the helix has the radius 1.
+  const std::string here = milled("G112 I3 D2 F100 X5 Y-3\n");
+  EXPECT_EQ(here.substr(0, here.find("arc")), "rapid x=5\n") << here;
+  EXPECT_NE(here.find("arc18 c=0,5 rot=-1 x=4 y=-3 z=0 f=100\n"), std::string::npos) << here;
+  const std::string depth = milled("G112 I3 D2 F100 Y-3\n");
+  EXPECT_EQ(depth.substr(0, 3), "arc") << depth;
+  EXPECT_EQ(milled("G112 I3 D2 F100 X5 Z3\n"), "");
 }
 
 TEST(GskReading, ZeroDepth) {
@@ -204,6 +223,14 @@ TEST(GskReading, ArcZeroRadius) {
   EXPECT_EQ(run_with_reading("gsk.arc.zero-radius", "alarm", "G2 I0 K0 F9\n").alarm, "arc-radius");
   EXPECT_EQ(run_with_reading("gsk.arc.zero-radius", "alarm", "G2 X0.005 K0 F9\n").alarm,
             "arc-radius");
+}
+
+TEST(GskReading, ArcClosed) {
+  EXPECT_EQ(run_with_reading("gsk.arc.closed", "alarm", "G2 X0 Z0 R5 F9\n").alarm, "arc-end-point");
+  EXPECT_EQ(run_with_reading("gsk.arc.closed", "none", "G2 X0 Z0 R5 F9\nG0 X2\n").motions(),
+            "rapid x=2\n");
+  EXPECT_EQ(run_with_reading("gsk.arc.closed", "none", "G2 Y-3 R5 F9\n").motions(),
+            "feed y=-3 f=9\n");
 }
 
 TEST(GskReading, ArcToleranceZero) {

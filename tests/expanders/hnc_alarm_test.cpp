@@ -80,8 +80,8 @@ TEST(HncAlarms, TheFirstWordAtFaultIsReported) {
 }
 
 TEST(HncCoverage, CodesAreNamed) {
-  for (const char* code : {"G28", "G29", "G41", "G42", "G52", "G53", "G65", "G70", "G71", "G72",
-                           "G73", "G76", "G98", "G99", "M98", "M99"}) {
+  for (const char* code : {"G28", "G29", "G41", "G42", "G46", "G52", "G53", "G65", "G70", "G71",
+                           "G72", "G73", "G76", "G98", "G99", "M98", "M99"}) {
     const Outcome outcome = run_hnc("G00 Z1\n" + std::string(code) + " X1 X2 G999\n");
     EXPECT_EQ(outcome.answer, GONOGO_UNSUPPORTED) << code;
     EXPECT_EQ(outcome.note, std::string(code) + " is not implemented.");

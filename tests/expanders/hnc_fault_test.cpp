@@ -51,7 +51,6 @@ const ProfiledFaultExample kHncFaultExamples[] = {
     {"start-short", kStarts},
     {"threads-out", kStarts},
     {"inch-lead-as-millimetres", "G82 X-4 Z-5 J2\n"},
-    {"lead-leaks-into-feed", "G82 X-4 Z-5 F2\nG01 X1\n"},
     {"feed-serves-as-lead", "G01 X1 F9\nG82 X-4 Z-5\n"},
     {"taper-leaks-past-rapid", "G80 X-4 Z-5 I-1 F9\nG00 X0\nG80 X-4 Z-5\n"},
     {"withdrawal-leaks-into-groove", "G74 Z-5 R1 Q2 F9\nG75 X-8\n"},

@@ -156,5 +156,15 @@ TEST(HncArcs, BrokenRules) {
   EXPECT_EQ(run_hnc("G02 X2 Z2 R5\n").alarm, "feed-missing");
 }
 
+// Half the chord is 5.01 and R 5.
+TEST(HncArcs, BrokenRulesOfROnOtherMachines) {
+  const char* closed = R"({"readings":{"hnc.arc.closed":"none"}})";
+  EXPECT_EQ(run_hnc("G02 X0 Z0 R5 F9\nG00 X2\n", closed).motions(), "rapid x=1\n");
+  const char* half = R"({"readings":{"hnc.arc.small-radius":"semicircle"}})";
+  EXPECT_EQ(run_hnc("G02 Z10.02 R5 F9\n", half).motions(),
+            "arc18 c=5.01,0 rot=-1 x=0 z=10.02 f=9\n");
+  EXPECT_EQ(run_hnc("G02 Z10.022 R5 F9\n", half).alarm, "arc-radius");
+}
+
 }  // namespace
 }  // namespace gonogo::expanders::testing

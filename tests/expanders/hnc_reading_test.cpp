@@ -52,6 +52,25 @@ TEST(HncReading, LeadOfG32) {
   EXPECT_EQ(run_as("hnc.g32.lead", "kept", "G01 Z-10 F2\nG32 Z-20\n").alarm, "lead-missing");
 }
 
+TEST(HncReading, FIsOneWord) {
+  const auto last = [](const char* profile, const char* program) {
+    return run_hnc(program, profile).records.rbegin()[1];  // before the end
+  };
+  const char* one = R"({"readings":{"hnc.g32.lead":"feed"}})";
+  EXPECT_EQ(last(one, "F70\nG32 Z-10 F2\nG01 X50\n"), "feed x=25 f=2");
+  EXPECT_EQ(last(one, "F70\nG82 X20 Z-10 F2\nG01 X50\n"), "feed x=25 f=2");
+  EXPECT_EQ(last(one, "G01 Z-10 F80\nG32 Z-20\n"), "thread z=-20 lead=80 start=0");
+  EXPECT_EQ(last(one, "G20 F0.1\nG32 Z-1\n"), "thread z=-25.4 lead=0.1 start=0");
+  EXPECT_EQ(run_hnc("G32 Z-10\n", one).alarm, "lead-missing");
+  EXPECT_EQ(run_hnc("G32 Z-10 J0.1\nG01 X50\n", one).alarm, "feed-missing");
+  EXPECT_EQ(run_hnc("F80\nG82 X20 Z-10\n", one).alarm, "lead-missing");
+  const char* units = R"({"readings":{"hnc.g32.lead":"feed","hnc.lead.unit":"units"}})";
+  EXPECT_EQ(last(units, "G20 F0.1\nG32 Z-1\n"), "thread z=-25.4 lead=2.54 start=0");
+  const char* both = R"({"readings":{"hnc.g32.lead":"feed","hnc.modal.f":"forgotten"}})";
+  EXPECT_EQ(last(both, "F70\nG82 X20 Z-10 F2\nG01 X50\n"), "feed x=25 f=70");
+  EXPECT_EQ(last(both, "F70\nG32 Z-10 F2\nG01 X50\n"), "feed x=25 f=2");
+}
+
 TEST(HncReading, ConstantOfTheRunOut) {
   const std::string thread = "G82 X20 Z-10 R-1 E1 F2";
   EXPECT_EQ(run_as("hnc.g82.q", "alarm", thread + "\n").answer, GONOGO_OK);
@@ -105,6 +124,16 @@ TEST(HncReading, FeedUnits) {
   EXPECT_EQ(feeds("length", "G20 F4\nG21 G1 X40\n"), "feed x=20 f=101.6\n");
   EXPECT_EQ(feeds("number", "G20 F4\nG21 G1 X40\n"), "feed x=20 f=4\n");
   EXPECT_EQ(feeds("number", "F254\nG20 G1 X2\n"), "feed x=25.4 f=6451.6\n");
+}
+
+// I-0.1 of inches is 2.54 mm; B lies I before C at a radius of 10.
+TEST(HncReading, Retained) {
+  const std::string program = "G20 G80 X1 Z-1 I-0.1 F4\nG21 X20 Z-10\n";
+  EXPECT_EQ(run_as("hnc.retained", "length", program).records[4], "rapid x=7.46");
+  EXPECT_EQ(run_as("hnc.retained", "number", program).records[4], "rapid x=9.9");
+  const std::string behind = "G20 G80 X1 Z-1 I-0.1 F4\nG21 G00\nG80 X20 Z-10\n";
+  const char* kept = R"({"readings":{"hnc.retained":"number","hnc.modal.words":"kept"}})";
+  EXPECT_EQ(run_hnc(behind, kept).records[4], "rapid x=9.9");
 }
 
 TEST(HncReading, FeedChange) {

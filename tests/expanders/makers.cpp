@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "expanders/registry.hpp"
-#include "subjects/make_subject.hpp"
 #include "reference/dialect.hpp"
+#include "subjects/make_subject.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
@@ -75,8 +75,7 @@ std::span<const Maker> makers() {
 
 oracle::Verdict judged(const std::string& program, const reference::Profile& profile,
                        std::span<const reference::Record> records) {
-  const oracle::Tolerances terms =
-      make_tolerances(subject().info(), profile, std::nullopt, std::nullopt);
+  const oracle::Tolerances terms = make_tolerances(subject().info(), profile);
   return judge_outcome(profile, program, terms, records, {}).verdict;
 }
 

@@ -46,6 +46,22 @@ TEST(SinumerikArc, Radius) {
             "arc17 c=157.998219588,87.782298061 rot=-1 x=115 y=113.3 f=9");
 }
 
+// From (0, 0): about (5, -12) a radius of 13.
+TEST(SinumerikArc, RadiusBesideACentre) {
+  const char* radius = R"({"readings":{"sie.cr.centre":"radius"}})";
+  const char* centre = R"({"readings":{"sie.cr.centre":"centre"}})";
+  const std::string both = "G2 X10 Y0 I5 J-12 CR=6";
+  EXPECT_EQ(sinumerik_arc(both), "conflicting-words");
+  EXPECT_EQ(sinumerik_arc(both, "G0 X0", radius), sinumerik_arc("G2 X10 Y0 CR=6"));
+  EXPECT_EQ(sinumerik_arc(both, "G0 X0", centre), sinumerik_arc("G2 X10 Y0 I5 J-12"));
+  EXPECT_EQ(sinumerik_arc("G2 I5 CR=5", "G0 X0", radius), "arc-end-point");
+  EXPECT_EQ(sinumerik_arc("G2 I5 CR=5", "G0 X0", centre), sinumerik_arc("G2 I5"));
+  for (const char* profile : {radius, centre}) {
+    EXPECT_EQ(sinumerik_arc("G2 X10 K5 CR=6", "G0 X0", profile), "axis-not-in-plane");
+    EXPECT_EQ(sinumerik_arc("G2 X10 I5 AR=90 CR=6", "G0 X0", profile), "conflicting-words");
+  }
+}
+
 TEST(SinumerikArc, OpeningAngleAndEndPoint) {
   EXPECT_EQ(sinumerik_arc("G3 X17.203 Y38.029 AR=140.134", kStartA),
             "arc17 c=50.000077645,49.999984121 rot=1 x=17.203 y=38.029 f=9");

@@ -184,6 +184,17 @@ TEST(SinumerikPocket, LeavesItsFeedUnderTheReading) {
   EXPECT_EQ(moving(milled(pocket + "G70\nG1 X1\n", of_cycle)), way + "feed x=25.4 f=30\n");
 }
 
+// R101=5, R103+R102=1, R104=-2 and R122=20 of the small pocket.
+TEST(SinumerikPocket, CountsInchesUnderTheReading) {
+  const std::string pocket = "G70\n" + kSmallPocket + "LCYC75\n";
+  const auto way = [&](const char* readings) { return moving(milled(pocket, readings)); };
+  EXPECT_EQ(way(R"({"sie.lcyc.unit":"mm"})"), "rapid z=5\nrapid z=1\nfeed z=-2 f=20\nrapid z=5\n");
+  const std::string inches = "rapid z=127\nrapid z=25.4\nfeed z=-50.8 f=";
+  EXPECT_NE(way(R"({"sie.lcyc.unit":"inch"})").find(inches + "20\n"), std::string::npos);
+  EXPECT_NE(way(R"({"sie.lcyc.unit":"inch-with-feeds"})").find(inches + "508\n"),
+            std::string::npos);
+}
+
 TEST(SinumerikPocket, OnlyItsOwnPathIsOffered) {
   const std::string refused = profile(R"({"sie.pocket.path":"contour-parallel"})");
   EXPECT_EQ(Session(refused, {}, "sinumerik802s").outcome().create, GONOGO_UNSUPPORTED);

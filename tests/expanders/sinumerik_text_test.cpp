@@ -41,6 +41,7 @@ TEST(SinumerikText, HeadsOfLines) {
                         "N50 AGAIN: X5\nEND_1: X6\n"),
       "rapid x=1\nrapid x=2\nrapid x=3\nrapid x=4\nrapid x=5\nrapid x=6\n");
   EXPECT_EQ(motions_and_alarm("%_N_\xFF_MPF\nG0 X1\n"), "syntax");
+  EXPECT_EQ(motions_and_alarm("%\n%_N_A_MPF\nN5\n%\nG0 X1\n%_N_B_SPF\nX2\n"), "rapid x=1\n");
   EXPECT_EQ(motions_and_alarm("%_N_PART_MPF ; \xFF\nG0 X1\n"), "rapid x=1\n");
   for (const char* line : {"N", "N-1", "N1.5", "N=1", "X1 / Y1", "/10 X1", "N10 / X1"}) {
     EXPECT_EQ(motions_and_alarm(line), "syntax") << line;
@@ -50,6 +51,12 @@ TEST(SinumerikText, HeadsOfLines) {
 TEST(SinumerikText, BlocksMayBeSkipped) {
   EXPECT_EQ(motions_and_alarm("/G0 X1\n/3 N5 G0 X2\nG0 X3\n", R"({"block_skip":true})"),
             "rapid x=3\n");
+}
+
+TEST(SinumerikText, AmpersandsAndWhatIsNotPrintedAreBlanks) {
+  EXPECT_EQ(motions_and_alarm("\x02G0&X1\x7FY=&2&\x1A\n&\n"), "rapid x=1 y=2\n");
+  EXPECT_EQ(motions_and_alarm("%_N_\x02_MPF\nMSG(\x03)\nG0 X1\n"), "rapid x=1\n");
+  EXPECT_EQ(motions_and_alarm("G0 X1&2\n"), "syntax");
 }
 
 TEST(SinumerikText, CommentsHoldAnything) {

@@ -16,6 +16,20 @@ TEST(SinumerikWord, ALetterAndANumberNeedNoEqualsSign) {
   EXPECT_EQ(words_of("T1 D2 H12 L100 P3"), "T{1} D{2} H{12} L{100} P{3}");
 }
 
+TEST(SinumerikWord, AmpersandsAndWhatIsNotPrintedAreBlanks) {
+  using namespace std::string_view_literals;
+  for (const std::string_view line :
+       {"G1&X10"sv, "&G1 X&10"sv, "G1\x02X10\x03"sv, "\x7FG1\0X10\x1A"sv, "G1 X=&10&"sv}) {
+    EXPECT_EQ(words_of(line), line.find('=') == line.npos ? "G{1} X{10}" : "G{1} X={10}");
+  }
+  const Block block = sinumerik_block("N5\vG1 ; a&b\x01");
+  EXPECT_EQ(block.other_blank.span, (Span{2, 3}));
+  EXPECT_EQ(block.comments.at(0).text, " a&b\x01");
+  // They stay in strings and comments, and part a name.
+  EXPECT_EQ(sinumerik_block("MSG(\"A&B;\x01\") G1 ;&").other_blank.span, Span{});
+  EXPECT_EQ(words_of("CT&X5"), "CT X{5}");
+}
+
 TEST(SinumerikWord, LettersStandInEitherCaseAndNamesAreCapitals) {
   EXPECT_EQ(words_of("g1 x10 cr=5 cIp r1=r2 Stopre"), "G{1} X{10} CR={5} CIP R1={R2} STOPRE");
   EXPECT_EQ(words_of("x=ac(sin(r1))"), "X=AC{R1 sin}");

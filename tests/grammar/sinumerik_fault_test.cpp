@@ -182,7 +182,8 @@ TEST(SinumerikFault, WhatMayNotStandBetweenWords) {
                  {"N10.5", kCharacter, 3, 4},
                  {"AB: CD:", kCharacter, 6, 7},
                  {"X1 ?", kCharacter, 3, 4},
-                 {"X1\x01", kCharacter, 2, 3}});
+                 {"X1&2", kCharacter, 3, 4},
+                 {"X1\x01\xFC", kCharacter, 3, 4}});
 }
 
 TEST(SinumerikFault, BytesAbove127OutsideCommentsAndStrings) {

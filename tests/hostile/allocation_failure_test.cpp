@@ -31,7 +31,7 @@ Machine machine_of(const char* dialect) {
   machine.profile.readings = machine.profile.readings.shown();
   SubjectInfo subject;
   subject.features = {"blocks", "m"};
-  machine.tolerances = make_tolerances(subject, machine.profile, {}, {});
+  machine.tolerances = make_tolerances(subject, machine.profile);
   return machine;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "run_subject.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -236,7 +237,7 @@ TEST_F(InterfaceSubject, TheSinkStopsTheRun) {
 TEST_F(InterfaceSubject, AnEscapingExceptionIsACrashAndTheHandleIsNotUsedAgain) {
   const Ran ran = run_with([](auto&) -> int { throw std::runtime_error("boom"); });
   EXPECT_EQ(ran.end.kind, Kind::crash);
-  EXPECT_NE(ran.end.message.find("boom"), std::string::npos);
+  EXPECT_TRUE(has(ran.end.message, "boom"));
   EXPECT_EQ(fake_interface.destroyed, 1);
   EXPECT_EQ(run_with([](auto&) { return GONOGO_OK; }).end.kind, Kind::ok);
   EXPECT_EQ(fake_interface.created, 2);
@@ -291,7 +292,7 @@ TEST_F(InterfaceSubject, AReadingThatTheCertifierStatesNeedNotBeTold) {
   subject_ = make_interface_subject(table_, {std::nullopt, {"gsk.decimals=nearest"}});
   subject_->configure(profile);
   EXPECT_EQ(run(*subject_, "G0 X1\n", 1000).end.kind, Kind::ok);
-  EXPECT_EQ(fake_interface.configuration.find("gsk.decimals"), std::string::npos);
+  EXPECT_FALSE(has(fake_interface.configuration, "gsk.decimals"));
 }
 
 TEST_F(InterfaceSubject, ARefusalToBeCreatedIsTold) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "run_subject.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -76,7 +77,7 @@ TEST(OneshotSubject, TheLastLineMayLackItsEnd) {
 }
 
 TEST(OneshotSubject, AHangIsATimeout) {
-  EXPECT_EQ(run(*fake_oneshot("hang", short_limits())).end.kind, Kind::timeout);
+  EXPECT_EQ(run(*fake_oneshot("hang", run_limits(300))).end.kind, Kind::timeout);
 }
 
 TEST(OneshotSubject, TheSinkStopsAFlood) {
@@ -104,7 +105,7 @@ TEST(OneshotSubject, MegabytesGoInAndComeOutAtTheSameTime) {
 TEST(OneshotSubject, TheProfileIsAFileOfThisUserThatGoesAway) {
   auto subject = fake_oneshot("show 'a b'");
   const std::string notes = run(*subject).end.notes;
-  EXPECT_NE(notes.find("dialect=gsk988ta mode=600 profile={"), std::string::npos) << notes;
+  EXPECT_TRUE(has(notes, "dialect=gsk988ta mode=600 profile={"));
   const std::size_t at = notes.find("path=") + 5;
   const std::filesystem::path path = notes.substr(at, notes.find('\n', at) - at);
   EXPECT_TRUE(std::filesystem::exists(path)) << path;
@@ -117,7 +118,7 @@ TEST(OneshotSubject, TheProfileIsAFileOfThisUserThatGoesAway) {
 TEST(OneshotSubject, TheFolderOfTheProfileIsNotInTheMessage) {
   const RunEnd first = oneshot_end("show-unsupported");
   EXPECT_EQ(first.kind, Kind::skip);
-  EXPECT_NE(first.message.find("path=profile.json"), std::string::npos) << first.message;
+  EXPECT_TRUE(has(first.message, "path=profile.json"));
   EXPECT_EQ(first.message, oneshot_end("show-unsupported").message);
 }
 
@@ -147,7 +148,7 @@ TEST(OneshotSubject, OneThatLeavesTheProfileUnreadIsNotRunForAnotherMachine) {
   subject->configure(inch_machine());
   const RunEnd end = run(*subject).end;
   EXPECT_EQ(end.kind, Kind::refused);
-  EXPECT_NE(end.message.find("does not read --profile"), std::string::npos) << end.message;
+  EXPECT_TRUE(has(end.message, "does not read --profile"));
   subject->configure(gsk_profile());
   EXPECT_EQ(run(*subject).end.kind, Kind::ok);
 }
@@ -169,7 +170,7 @@ TEST(OneshotSubject, TheMachineThatTheCertifierStatesIsItsOwn) {
 
 TEST(OneshotSubject, ABadDescriptionOrCommandIsUnusable) {
   EXPECT_THROW(fake_oneshot("described-badly"), SubjectUnusable);
-  EXPECT_THROW(make_oneshot_subject("/no/such/program", short_limits()), SubjectUnusable);
+  EXPECT_THROW(make_oneshot_subject("/no/such/program", run_limits(300)), SubjectUnusable);
 }
 
 TEST(OneshotSubject, ManyRunsLeaveNothingBehind) {

@@ -2,6 +2,7 @@
 //
 // Programs that are sent ahead of the replies.
 #include "run_subject.hpp"
+#include "tests/has.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -12,12 +13,6 @@ std::unique_ptr<Subject> windowed(const std::string& mode, int window,
       "FAKE_WINDOW=" + std::to_string(window) + " " + std::string(FAKE_PIPE) + " " + mode, limits);
   subject->configure(gsk_profile());
   return subject;
-}
-
-Limits second_limits() {
-  Limits limits = patient_limits();
-  limits.run = std::chrono::milliseconds(1500);
-  return limits;
 }
 
 std::string id_of(int i) {
@@ -44,14 +39,13 @@ TEST(PipeWindow, ProgramsAreSentBeforeTheRepliesHaveCome) {
 }
 
 TEST(PipeWindow, NoMoreAreSentThanTheSubjectTakes) {
-  Limits limits = second_limits();
-  auto subject = windowed("by-four", 3, limits);
+  auto subject = windowed("by-four", 3, run_limits(1500));
   announce(*subject, 4);
   EXPECT_EQ(run_case(*subject, 0).kind, Kind::timeout);
 }
 
 TEST(PipeWindow, WithoutAnAnnouncementOneIsSentAtATime) {
-  auto subject = windowed("by-four", 4, second_limits());
+  auto subject = windowed("by-four", 4, run_limits(1500));
   EXPECT_EQ(run_case(*subject, 0).kind, Kind::timeout);
 }
 
@@ -60,7 +54,7 @@ TEST(PipeWindow, RepliesOutOfOrderAreProtocol) {
   announce(*subject, 4);
   const RunEnd end = run_case(*subject, 0);
   EXPECT_EQ(end.kind, Kind::protocol);
-  EXPECT_NE(end.message.find("\"seq\":2"), std::string::npos) << end.message;
+  EXPECT_TRUE(has(end.message, "\"seq\":2"));
 }
 
 // Five programs, of which the third says what it wants.
@@ -75,14 +69,14 @@ RunEnd run_of_five(Subject& subject, int i, const std::string& third, Number* se
 TEST(PipeWindow, ACrashIsThatOfTheProgramWhoseReplyWasDueAndTheOthersAreSentAgain) {
   for (const std::string third : {"(ABORT)", "(HANG)"}) {
     const bool hangs = third == "(HANG)";
-    auto subject = windowed(hangs ? "hangs-on-demand" : "aborts-on-demand", 64, second_limits());
+    auto subject = windowed(hangs ? "hangs-on-demand" : "aborts-on-demand", 64, run_limits(1500));
     announce_five(*subject, third);
     Number seconds;
     EXPECT_EQ(run_of_five(*subject, 0, third).kind, Kind::ok);
     EXPECT_EQ(run_of_five(*subject, 1, third).kind, Kind::ok);
     const RunEnd crash = run_of_five(*subject, 2, third);
     EXPECT_EQ(crash.kind, hangs ? Kind::timeout : Kind::crash);
-    EXPECT_NE(crash.message.find("case.2"), std::string::npos) << crash.message;
+    EXPECT_TRUE(has(crash.message, "case.2"));
     EXPECT_EQ(run_of_five(*subject, 3, third, &seconds).kind, Kind::ok);
     EXPECT_EQ(seconds, Number(1));
     EXPECT_EQ(run_of_five(*subject, 4, third, &seconds).kind, Kind::ok);
@@ -107,8 +101,8 @@ TEST(PipeWindow, ACrashThatNoProgramBringsAboutAloneIsToldOfTheLastThatWasUnderW
   EXPECT_EQ(run_case(*subject, 1).kind, Kind::ok);
   const RunEnd last = run_case(*subject, 2);
   EXPECT_EQ(last.kind, Kind::crash);
-  EXPECT_NE(last.message.find("signal 6"), std::string::npos) << last.message;
-  EXPECT_NE(last.message.find("others under way"), std::string::npos) << last.message;
+  EXPECT_TRUE(has(last.message, "signal 6"));
+  EXPECT_TRUE(has(last.message, "others under way"));
 }
 
 // The third of five runs of one process or two: whichever it is, it is told once.
@@ -122,7 +116,7 @@ TEST(PipeWindow, ACrashOfWhatCameBeforeIsToldOnce) {
 
 // 16 programs of 120 ms each; the limit of a case is 1.5 s.
 TEST(PipeWindow, TheTimeOfACaseBeginsWithTheReplyBeforeIt) {
-  auto subject = windowed("slow", 16, second_limits());
+  auto subject = windowed("slow", 16, run_limits(1500));
   announce(*subject, 16);
   for (int i = 0; i < 16; ++i) EXPECT_EQ(run_case(*subject, i).kind, Kind::ok) << i;
 }

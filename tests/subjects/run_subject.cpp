@@ -12,6 +12,16 @@
 
 namespace gonogo::oracle {
 
+std::unique_ptr<Subject> fake_pipe(const std::string& mode, const Limits& limits) {
+  auto subject = make_pipe_subject(std::string(FAKE_PIPE) + " " + mode, limits);
+  subject->configure(gsk_profile());
+  return subject;
+}
+
+RunEnd pipe_end(const std::string& mode) {
+  return run(*fake_pipe(mode)).end;
+}
+
 std::size_t open_descriptors() {
   start_family_keeper();  // of the program, and of no subject
   const std::filesystem::directory_iterator folder("/proc/self/fd");

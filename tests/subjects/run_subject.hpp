@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -44,11 +45,16 @@ inline Limits patient_limits() {
 }
 
 // For tests that wait for the limit of a run.
-inline Limits short_limits() {
+inline Limits run_limits(int milliseconds) {
   Limits limits = patient_limits();
-  limits.run = std::chrono::milliseconds(300);
+  limits.run = std::chrono::milliseconds(milliseconds);
   return limits;
 }
+
+// The program fake_pipe as a subject that misbehaves in this way, and the end of its first run.
+std::unique_ptr<Subject> fake_pipe(const std::string& mode,
+                                   const Limits& limits = patient_limits());
+RunEnd pipe_end(const std::string& mode);
 
 std::size_t open_descriptors();
 // Whether this process has children beside the keeper, running or not yet waited for.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/records/trace_reader.hpp"
+#include "tests/has.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ std::string fault_of(std::string_view line) {
 }
 
 #define EXPECT_FAULT(line, word) \
-  EXPECT_NE(fault_of(line).find(word), std::string::npos) << (line) << " -> " << fault_of(line)
+  EXPECT_TRUE(has(fault_of(line), word)) << (line) << " -> " << fault_of(line)
 
 TEST(TraceReader, SaysFromWhichColumnOnALineIsNoJson) {
   EXPECT_FAULT(R"({"k":"rapid","to":{"x":5 6}})", "not JSON, from column 26 on: 6}}");

@@ -75,17 +75,16 @@ TEST(LibraryRefusal, AHangAtDescribe) {
 }
 
 TEST(LibraryRefusal, ALibraryLoadsIntoThisProcessToo) {
-  const Library loaded(library("WELL"));
-  const auto subject = make_interface_subject(loaded.subject());
+  const auto subject = make_interface_subject(load_library(library("WELL")));
   subject->configure(profile_of("gsk988ta"));
   EXPECT_EQ(run(*subject, "kinds").records.size(), 8u);
   EXPECT_EQ(subject->info().max_in_flight, 1);
 }
 
 TEST(LibraryRefusal, InThisProcessTooTheSentenceIsTheSame) {
-  EXPECT_THROW(Library(library("WITHOUT_ENTRY")), SubjectUnusable);
-  EXPECT_THROW(Library(library("WITHOUT_INTERFACE")), SubjectUnusable);
-  EXPECT_THROW(Library("/no/such/acme.so"), SubjectUnusable);
+  EXPECT_THROW(load_library(library("WITHOUT_ENTRY")), SubjectUnusable);
+  EXPECT_THROW(load_library(library("WITHOUT_INTERFACE")), SubjectUnusable);
+  EXPECT_THROW(load_library("/no/such/acme.so"), SubjectUnusable);
 }
 
 }  // namespace

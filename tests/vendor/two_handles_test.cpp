@@ -62,8 +62,7 @@ class Probe {
 
 class TwoHandles : public ::testing::TestWithParam<const char*> {
  protected:
-  const Library library_{library(GetParam())};
-  const gonogo_subject_v1& subject_ = library_.subject();
+  const gonogo_subject_v1& subject_ = load_library(library(GetParam()));
 };
 
 TEST_P(TwoHandles, KnowNothingOfEachOther) {

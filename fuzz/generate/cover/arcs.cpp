@@ -17,6 +17,16 @@ ArcWays arc_ways(std::string_view centre, std::string_view end) {
   return ways;
 }
 
+std::vector<std::string> arc_words(const Pick& pick, const Drawing& drawing, const ArcWays& ways) {
+  std::vector<std::string> words = {pick["code"]};
+  const bool named = !pick.is("end", "full") || pick.is("full", "written");
+  if (named) words.push_back(drawing.travel(Role::p, ways.end[0]));
+  if (named) words.push_back(drawing.travel(Role::q, ways.end[1]));
+  if (pick.has("helix") && !pick.is("helix", "none"))
+    words.push_back(drawing.travel(Role::d, pick.length("helix")));
+  return words;
+}
+
 void add_arc_form(const Pick& pick, const Drawing& drawing, const ArcWays& ways,
                   std::vector<std::string>& words) {
   if (pick.is("form", "centre")) {

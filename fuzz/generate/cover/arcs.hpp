@@ -23,6 +23,10 @@ struct ArcWays {
 // right, a quarter of a turn on as seen from the centre; opposite; full, the start.
 ArcWays arc_ways(std::string_view centre, std::string_view end);
 
+// The code and the words of the end, by the parameters `code`, `full` (whether the end of a full
+// circle is written) and `helix`, where there is one.
+std::vector<std::string> arc_words(const Pick& pick, const Drawing& drawing, const ArcWays& ways);
+
 // The words of the centre or of R, by the parameters `form` and `zeros` (whether zeros are
 // written).
 void add_arc_form(const Pick& pick, const Drawing& drawing, const ArcWays& ways,

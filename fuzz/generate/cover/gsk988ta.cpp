@@ -7,7 +7,6 @@
 #include <array>
 
 #include "fuzz/generate/cover/arcs.hpp"
-#include "fuzz/generate/cover/gsk_milling_models.hpp"
 #include "fuzz/generate/cover/model.hpp"
 
 namespace gonogo::cover {
@@ -87,11 +86,7 @@ void draw_gsk_arc(const Pick& pick, Drawing& drawing) {
   ArcWays ways = arc_ways(pick["centre"], pick["end"]);
   if (!pick.is("radii", "same")) ways.end[0] = ways.end[0] + pick.length("radii");
   drawing.stand(mm(40), mm(30), mm(20), pick.is("F", "before") ? "F120" : "");
-  std::vector<std::string> words = {pick["code"]};
-  const bool named = !pick.is("end", "full") || pick.is("full", "written");
-  if (named) words.push_back(drawing.travel(Role::p, ways.end[0]));
-  if (named) words.push_back(drawing.travel(Role::q, ways.end[1]));
-  if (!pick.is("helix", "none")) words.push_back(drawing.travel(Role::d, pick.length("helix")));
+  std::vector<std::string> words = arc_words(pick, drawing, ways);
   add_arc_form(pick, drawing, ways, words);
   if (pick.is("F", "here")) words.emplace_back("F200");
   drawing.test(words);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/generate/cover/gsk_milling_models.hpp"
+#include "fuzz/generate/cover/model.hpp"
 
 namespace gonogo::cover {
 namespace {

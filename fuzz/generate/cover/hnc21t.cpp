@@ -6,7 +6,6 @@
 
 #include "fuzz/generate/cover/arcs.hpp"
 #include "fuzz/generate/cover/model.hpp"
-#include "fuzz/generate/cover/sequence_models.hpp"
 
 namespace gonogo::cover {
 namespace {
@@ -185,10 +184,7 @@ void draw_hnc_arc(const Pick& pick, Drawing& drawing) {
   ArcWays ways = arc_ways(pick["centre"], pick["end"]);
   if (!pick.is("radii", "same")) ways.end[0] = ways.end[0] + pick.length("radii");
   drawing.stand(mm(-12), mm(40), {}, pick.is("F", "before") ? "F120" : "");
-  std::vector<std::string> words = {pick["code"]};
-  const bool named = !pick.is("end", "full") || pick.is("full", "written");
-  if (named) words.push_back(drawing.travel(Role::p, ways.end[0]));
-  if (named) words.push_back(drawing.travel(Role::q, ways.end[1]));
+  std::vector<std::string> words = arc_words(pick, drawing, ways);
   add_arc_form(pick, drawing, ways, words);
   if (pick.is("F", "here")) words.emplace_back("F200");
   words.push_back(stray_word(pick, drawing));

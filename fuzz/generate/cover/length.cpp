@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "fuzz/generate/cover/parameters.hpp"
+#include "fuzz/program/text.hpp"
 
 namespace gonogo::cover {
 
@@ -41,12 +42,7 @@ Length Length::parse(std::string_view text) {
 std::string Length::text(int decimals) const {
   std::int64_t scale = 1;
   for (int i = 0; i < decimals; ++i) scale *= 10;
-  const std::int64_t value = thousandths * (scale / 1000) + increments;
-  const std::int64_t magnitude = value < 0 ? -value : value;
-  std::string out = fmt::format("{}{}", value < 0 ? "-" : "", magnitude / scale);
-  std::string fraction = fmt::format("{:0{}}", magnitude % scale, decimals);
-  fraction.erase(fraction.find_last_not_of('0') + 1);
-  return fraction.empty() ? out : out + "." + fraction;
+  return program::SmallDecimal{thousandths * (scale / 1000) + increments, decimals}.text();
 }
 
 int Length::sign() const {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fuzz/generate/cover/covering_array.hpp"
 #include "fuzz/generate/cover/drawing.hpp"
@@ -32,6 +33,12 @@ std::span<const Model> hnc_models();
 std::span<const Model> ngc_models();
 std::span<const Model> sinumerik840d_models();
 std::span<const Model> sinumerik802s_models();
+// Models of these tables that stand in files of their own.
+Model gsk_g110_model();
+Model gsk_g112_model();
+Model gsk_g114_model();
+Model hnc_sequence_model();
+Model sinumerik840d_sequence_model();
 
 // The parameter `code`: what the dialect's table has under these features, as its maker writes it.
 std::string codes_of(std::string_view dialect, std::initializer_list<std::string_view> features);

@@ -15,5 +15,7 @@ inline constexpr Length kHoleStart = {20'000, 0};
 inline constexpr Length kHoleDepth = {-10'000, 0};
 
 std::vector<Model> ngc_cycle_models();
+// Cycles among offsets, O words and other cycles.
+std::vector<Model> ngc_series_models();
 
 }  // namespace gonogo::cover

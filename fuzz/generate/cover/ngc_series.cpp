@@ -2,8 +2,6 @@
 //
 // Models of the canned cycles of RS274/NGC among what programs put around them: offsets, O words,
 // and other cycles.
-#include "fuzz/generate/cover/ngc_series.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>

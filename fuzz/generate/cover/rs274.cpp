@@ -9,7 +9,6 @@
 #include "fuzz/generate/cover/arcs.hpp"
 #include "fuzz/generate/cover/model.hpp"
 #include "fuzz/generate/cover/ngc_cycles.hpp"
-#include "fuzz/generate/cover/ngc_series.hpp"
 
 namespace gonogo::cover {
 namespace {
@@ -20,15 +19,6 @@ void add_ngc_features(const Pick& pick, Drawing& drawing) {
   if (!pick.is("helix", "none")) drawing.features.emplace_back("helix");
   if (!pick.is("P", "none")) drawing.features.emplace_back("turns");
   if (pick.has("offsets")) drawing.features.emplace_back("arc-distance");
-}
-
-std::vector<std::string> arc_words(const Pick& pick, const Drawing& drawing, const ArcWays& ways) {
-  std::vector<std::string> words = {pick["code"]};
-  const bool named = !pick.is("end", "full") || pick.is("full", "written");
-  if (named) words.push_back(drawing.travel(Role::p, ways.end[0]));
-  if (named) words.push_back(drawing.travel(Role::q, ways.end[1]));
-  if (!pick.is("helix", "none")) words.push_back(drawing.travel(Role::d, pick.length("helix")));
-  return words;
 }
 
 void finish_arc(const Pick& pick, Drawing& drawing, std::vector<std::string> words) {

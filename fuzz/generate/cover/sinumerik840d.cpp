@@ -8,7 +8,6 @@
 
 #include "fuzz/generate/cover/arcs.hpp"
 #include "fuzz/generate/cover/model.hpp"
-#include "fuzz/generate/cover/sequence_models.hpp"
 
 namespace gonogo::cover {
 namespace {

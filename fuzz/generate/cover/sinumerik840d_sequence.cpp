@@ -3,7 +3,7 @@
 // What comes one after the other on the SINUMERIK 840D.
 #include <array>
 
-#include "fuzz/generate/cover/sequence_models.hpp"
+#include "fuzz/generate/cover/model.hpp"
 
 namespace gonogo::cover {
 namespace {

@@ -91,7 +91,7 @@ bool is_escaped(char c) {
 std::variant<std::vector<std::string>, std::size_t> read_dictionary(std::string_view text) {
   std::vector<std::string> entries;
   std::size_t number = 0;
-  for (const program::ProgramLine& line : program::program_lines(text)) {
+  for (const ProgramLine& line : program_lines(text)) {
     ++number;
     if (line.text.empty() || line.text.front() == '#') continue;
     std::optional<std::string> entry = read_entry(line.text);

@@ -2,7 +2,6 @@
 #include "fuzz/program/mutator/dictionary_entries.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "fuzz/program/mutator/dictionary.hpp"
 

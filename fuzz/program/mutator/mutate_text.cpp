@@ -9,10 +9,6 @@
 namespace gonogo::program {
 namespace {
 
-using program::SmallDecimal;
-using program::TextLine;
-using program::TextWord;
-
 constexpr std::size_t kMostLines = 24;
 constexpr std::int64_t kLargest = 9'999'999;
 using Lines = std::vector<TextLine>;
@@ -49,7 +45,7 @@ std::string program_end() {
 class TextMutator {
  public:
   TextMutator(Dice& dice, const std::string& text, const std::string& other)
-      : dice_(dice), lines_(program::lines_of(text)), other_(program::lines_of(other)) {}
+      : dice_(dice), lines_(lines_of(text)), other_(lines_of(other)) {}
 
   void step() {
     if (lines_.empty()) return insert_line();
@@ -178,8 +174,8 @@ class TextMutator {
     TextLine* line = line_with_words(lines_);
     TextWord* word = line == nullptr ? nullptr : word_with_value(*line);
     if (word == nullptr) return;
-    const std::vector<program::NumberPlace> places = numbers_of(*word);
-    const program::NumberPlace& place = dice_.pick(places);
+    const std::vector<NumberPlace> places = numbers_of(*word);
+    const NumberPlace& place = dice_.pick(places);
     const SmallDecimal next = other_value(place.number, *line);
     if (next.value > kLargest * 10'000 || next.value < -kLargest * 10'000) return;
     word->text.replace(place.begin, place.end - place.begin, next.text());

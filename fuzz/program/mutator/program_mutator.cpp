@@ -9,9 +9,7 @@
 namespace gonogo::program {
 namespace {
 
-using program::lines_of;
-
-using Lines = std::vector<program::TextLine>;
+using Lines = std::vector<TextLine>;
 using Entries = std::span<const std::string>;
 constexpr std::size_t kTries = 8;
 

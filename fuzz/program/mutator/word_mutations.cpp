@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/program/mutator/word_mutations.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace gonogo::program {
 namespace {
-
-using program::TextLine;
-using program::TextWord;
 
 using Lines = std::vector<TextLine>;
 
@@ -72,9 +68,9 @@ void change_spelling(Dice& dice, Lines& lines) {
   for (int tries = 0; tries < 4; ++tries) {
     TextWord* const word = any_word(dice, lines);
     if (word == nullptr) return;
-    const std::vector<program::NumberPlace> places = numbers_of(*word);
+    const std::vector<NumberPlace> places = numbers_of(*word);
     if (places.empty()) continue;
-    const program::NumberPlace& place = dice.pick(places);
+    const NumberPlace& place = dice.pick(places);
     std::string number = word->text.substr(place.begin, place.end - place.begin);
     constexpr std::array kChanges = {change_digit, change_digit, change_sign,
                                      change_point, add_zeros,    add_decimals};
@@ -97,8 +93,7 @@ void replace_by_entry(Dice& dice, Lines& lines, std::span<const std::string> ent
   std::vector<const std::string*> alike;
   const std::string address = address_of(*word);
   for (const std::string& entry : entries) {
-    if (!address.empty() && address_of(program::TextWord{"", entry}) == address)
-      alike.push_back(&entry);
+    if (!address.empty() && address_of(TextWord{"", entry}) == address) alike.push_back(&entry);
   }
   const bool any = alike.empty() || dice.one_in(4);
   word->text = any ? dice.pick(entries) : *dice.pick(alike);

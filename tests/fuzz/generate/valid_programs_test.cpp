@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "fuzz/program/features.hpp"
 #include "oracle/steps/program_input.hpp"
 #include "reference/dialect.hpp"
@@ -44,7 +42,18 @@ bool is_cycle(const reference::Code& code) {
   return code.kind == reference::Kind::cycle || code.kind == reference::Kind::thread;
 }
 
-class Valid : public ::testing::TestWithParam<Generator> {};
+class Valid : public ::testing::TestWithParam<Generator> {
+ protected:
+  static std::vector<GeneratedProgram> forty_or_more(const ValidOptions& options) {
+    ValidPrograms programs(GetParam(), options);
+    std::vector<GeneratedProgram> kept;
+    for (std::uint64_t seed = kSeed; seed < kSeed + 50; ++seed) {
+      if (auto program = programs.of_seed(seed)) kept.push_back(*std::move(program));
+    }
+    EXPECT_GE(kept.size(), 40U);
+    return kept;
+  }
+};
 
 TEST_P(Valid, NoProgramAlarmsAndEveryCycleIsAmongThem) {
   ValidPrograms programs(GetParam(), {});
@@ -78,31 +87,19 @@ TEST_P(Valid, EqualSeedsGiveEqualPrograms) {
 TEST_P(Valid, NoProgramNeedsAFeatureThatIsNotDeclared) {
   ValidOptions options;
   options.features = {"basic", "arc"};
-  ValidPrograms programs(GetParam(), options);
-  std::size_t kept = 0;
-  for (std::uint64_t seed = kSeed; seed < kSeed + 50; ++seed) {
-    const std::optional<GeneratedProgram> program = programs.of_seed(seed);
-    if (!program) continue;
-    ++kept;
-    for (const std::string& feature : program::features_needed({program->profile, program->text}))
-      EXPECT_TRUE(options.features.contains(feature)) << feature << "\n" << program->text;
+  for (const GeneratedProgram& program : forty_or_more(options)) {
+    for (const std::string& feature : program::features_needed({program.profile, program.text}))
+      EXPECT_TRUE(options.features.contains(feature)) << feature << "\n" << program.text;
   }
-  EXPECT_GE(kept, 40U);
 }
 
 TEST_P(Valid, EveryProgramIsForTheGivenMachine) {
   ValidOptions options;
   options.profile = std::get<reference::Profile>(reference::default_profile(GetParam().dialect));
-  ValidPrograms programs(GetParam(), options);
-  std::size_t kept = 0;
-  for (std::uint64_t seed = kSeed; seed < kSeed + 50; ++seed) {
-    const std::optional<GeneratedProgram> program = programs.of_seed(seed);
-    if (!program) continue;
-    ++kept;
-    EXPECT_TRUE(program->profile == *options.profile);
-    EXPECT_FALSE(refusal_of(*program, 10'000)) << program->text;
+  for (const GeneratedProgram& program : forty_or_more(options)) {
+    EXPECT_TRUE(program.profile == *options.profile);
+    EXPECT_FALSE(refusal_of(program, 10'000)) << program.text;
   }
-  EXPECT_GE(kept, 40U);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryDialect, Valid,

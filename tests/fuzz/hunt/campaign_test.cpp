@@ -2,13 +2,13 @@
 #include "fuzz/hunt/campaign.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "hunting.hpp"
+#include "subjects/private_folder.hpp"
 
 namespace gonogo::hunt::testing {
 namespace {
@@ -17,14 +17,7 @@ namespace fs = std::filesystem;
 
 class HuntCampaigns : public ::testing::Test {
  protected:
-  HuntCampaigns()
-      : folder_(fs::temp_directory_path() /
-                fs::path("gonogo-hunt-campaign-" + std::to_string(::getpid()))) {
-    fs::remove_all(folder_);
-  }
-  ~HuntCampaigns() override { fs::remove_all(folder_); }
-
-  std::string in(const char* name) const { return (folder_ / name).string(); }
+  std::string in(const fs::path& name) const { return (folder_.path() / name).string(); }
 
   static CampaignState wanted(std::size_t shard = 1) {
     CampaignState state;
@@ -45,7 +38,7 @@ class HuntCampaigns : public ::testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  fs::path folder_;
+  oracle::PrivateFolder folder_;
 };
 
 TEST_F(HuntCampaigns, OneThatIsBrokenOffFindsWhatOneThatIsNotFinds) {
@@ -65,8 +58,7 @@ TEST_F(HuntCampaigns, OneThatIsBrokenOffFindsWhatOneThatIsNotFinds) {
   EXPECT_EQ(text_of(in("broken/hunt.json")), text_of(in("whole/hunt.json")));
   for (const auto& [signature, finding] : resumed.state().findings) {
     const fs::path program = fs::path("findings") / finding.id / "program.nc";
-    EXPECT_EQ(text_of((folder_ / "broken" / program).string()),
-              text_of((folder_ / "whole" / program).string()));
+    EXPECT_EQ(text_of(in("broken" / program)), text_of(in("whole" / program)));
   }
 }
 

@@ -12,7 +12,11 @@ namespace gonogo::hunt {
 namespace {
 
 DrawnVectors drawn_from(std::string_view dialect, std::uint64_t seed, std::size_t programs) {
-  return draw_vectors(generate::generator_of(dialect), {}, seed, programs, "gonogo");
+  const auto source = [&](std::uint64_t one) {
+    generate::Choices choices(one);
+    return generate::generator_of(dialect).generate(choices, nullptr);
+  };
+  return draw_vectors(source, seed, programs, "gonogo");
 }
 
 TEST(DrawnVectors, AreCasesThatTheReferenceStandsBy) {

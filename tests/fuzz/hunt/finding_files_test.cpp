@@ -42,10 +42,7 @@ TEST_F(FindingFiles, AreACorpusOfTheirOwn) {
   const std::string id = write(found(gsk(kTaper)));
   const oracle::Corpus corpus(out_);
   std::vector<oracle::Case> cases;
-  corpus.for_each([&](const oracle::Case& test) {
-    cases.push_back(test);
-    return true;
-  });
+  corpus.for_each([&](const oracle::Case& test) { cases.push_back(test); });
   ASSERT_EQ(cases.size(), 1U);
   EXPECT_EQ(cases[0].id, id);
   EXPECT_EQ(cases[0].program, kTaper);

@@ -14,24 +14,20 @@ using reference::Number;
 using reference::Record;
 
 // The built-in expander, 1 mm beside where X is `from` mm or more.
-class FarOff : public oracle::Subject {
+class FarOff : public WrappedSubject {
  public:
-  explicit FarOff(Number from) : from_(std::move(from)), inner_(builtin("gsk")()) {}
-  const oracle::SubjectInfo& info() const override { return inner_->info(); }
-  void configure(const reference::Profile& profile) override { inner_->configure(profile); }
+  explicit FarOff(Number from) : WrappedSubject(builtin("gsk")()), from_(std::move(from)) {}
   oracle::RunEnd run(std::string_view id, std::string_view program,
                      const oracle::RecordSink& sink) override {
-    return inner_->run(id, program, [&](const Record& record) {
+    return WrappedSubject::run(id, program, [&](const Record& record) {
       Record moved = record;
       if (from_ <= moved.to[Axis::x]) moved.to[Axis::x] += Number(1);
       return sink(moved);
     });
   }
-  void renew() override { inner_->renew(); }
 
  private:
   Number from_;
-  std::unique_ptr<oracle::Subject> inner_;
 };
 
 Hunt hunt_of(std::int64_t from, bool everywhere) {

@@ -129,23 +129,19 @@ TEST(Hunt, AReadingThatIsGivenIsThatOfEveryFinding) {
 
 // What is skipped is tried block by block, on the machine of the hunt still.
 TEST(Hunt, SingleBlocksHaveTheMachineThatIsGiven) {
-  class Skipping : public oracle::Subject {
+  class Skipping : public WrappedSubject {
    public:
-    explicit Skipping(std::size_t& machines) : inner_(builtin("gsk")()), machines_(machines) {}
-    const oracle::SubjectInfo& info() const override { return inner_->info(); }
+    explicit Skipping(std::size_t& machines)
+        : WrappedSubject(builtin("gsk")()), machines_(machines) {}
     void configure(const reference::Profile& profile) override {
       ++machines_;
       EXPECT_EQ(reference::profile_json(profile), R"({"block_skip":true})");
     }
     oracle::RunEnd run(std::string_view, std::string_view, const oracle::RecordSink&) override {
-      oracle::RunEnd end;
-      end.kind = oracle::RunEnd::Kind::skip;
-      return end;
+      return oracle::RunEnd::of(oracle::RunEnd::Kind::skip, "");
     }
-    void renew() override { inner_->renew(); }
 
    private:
-    std::unique_ptr<oracle::Subject> inner_;
     std::size_t& machines_;
   };
   std::size_t machines = 0;
@@ -161,23 +157,20 @@ TEST(Hunt, ASubjectRunsNothingThatNeedsWhatItDoesNotDeclare) {
   Hunt hunt(builtin("gsk"), {}, hunting("gsk988ta"));
   EXPECT_EQ(hunt.count().skipped, 0U);
   // A subject that declares the basic words only.
-  class Basic : public oracle::Subject {
+  class Basic : public WrappedSubject {
    public:
-    Basic() : inner_(builtin("gsk")()), info_(inner_->info()) {
+    Basic() : WrappedSubject(builtin("gsk")()), info_(WrappedSubject::info()) {
       info_.everything = false;
       info_.dialects = {{"gsk988ta", {"basic"}}};
     }
     const oracle::SubjectInfo& info() const override { return info_; }
-    void configure(const reference::Profile& profile) override { inner_->configure(profile); }
     oracle::RunEnd run(std::string_view id, std::string_view program,
                        const oracle::RecordSink& sink) override {
       EXPECT_EQ(program.find("G110"), std::string_view::npos) << program;
-      return inner_->run(id, program, sink);
+      return WrappedSubject::run(id, program, sink);
     }
-    void renew() override { inner_->renew(); }
 
    private:
-    std::unique_ptr<oracle::Subject> inner_;
     oracle::SubjectInfo info_;
   };
   Hunt basic([] { return std::make_unique<Basic>(); }, {}, hunting("gsk988ta"));

@@ -10,6 +10,7 @@
 #include "expanders/registry.hpp"
 #include "fuzz/hunt/hunt.hpp"
 #include "subjects/make_subject.hpp"
+#include "tests/fuzz/wrapped_subject.hpp"
 
 namespace gonogo::hunt::testing {
 
@@ -30,17 +31,15 @@ inline SubjectMaker builtin(const char* name, const char* fault = "") {
 }
 
 // Every 97th run puts its first motion 1 mm beside.
-class Flickering : public oracle::Subject {
+class Flickering : public WrappedSubject {
  public:
   // `runs` goes on where the subject is made again.
   Flickering(std::unique_ptr<oracle::Subject> inner, bool keeps_state, std::size_t& runs)
-      : inner_(std::move(inner)), keeps_state_(keeps_state), runs_(runs) {}
-  const oracle::SubjectInfo& info() const override { return inner_->info(); }
-  void configure(const reference::Profile& profile) override { inner_->configure(profile); }
+      : WrappedSubject(std::move(inner)), keeps_state_(keeps_state), runs_(runs) {}
   oracle::RunEnd run(std::string_view id, std::string_view program,
                      const oracle::RecordSink& sink) override {
     bool is_due = ++runs_ % 97 == 0;
-    return inner_->run(id, program, [&](const reference::Record& record) {
+    return WrappedSubject::run(id, program, [&](const reference::Record& record) {
       reference::Record shown = record;
       if (is_due && reference::is_motion(record.kind)) {
         shown.to[reference::Axis::x] += reference::Number(1);
@@ -49,11 +48,9 @@ class Flickering : public oracle::Subject {
       return sink(shown);
     });
   }
-  void renew() override { inner_->renew(); }
   bool keeps_state() const override { return keeps_state_; }
 
  private:
-  std::unique_ptr<oracle::Subject> inner_;
   bool keeps_state_;
   std::size_t& runs_;
 };

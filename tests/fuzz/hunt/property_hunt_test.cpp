@@ -3,18 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "expanders/registry.hpp"
 #include "fuzz/hunt/kill_matrix.hpp"
 #include "fuzz/program/text.hpp"
-#include "subjects/make_subject.hpp"
+#include "hunting.hpp"
 
 namespace gonogo::hunt::testing {
 namespace {
-
-SubjectMaker subject_of(const char* name, const char* fault = "") {
-  const gonogo_subject_v1* subject = expanders::find(name, fault);
-  return [subject] { return oracle::make_interface_subject(*subject); };
-}
 
 PropertyOptions property_hunting(const std::string& dialect) {
   PropertyOptions options;
@@ -31,7 +25,7 @@ std::optional<PropertyFinding> first_finding(PropertyHunt& hunt, std::size_t pro
 
 TEST(PropertyHunt, FindsNothingWhereThereIsNoFault) {
   for (const generate::Generator& generator : generate::generators()) {
-    PropertyHunt hunt(subject_of(std::string(generator.expander).c_str()),
+    PropertyHunt hunt(builtin(std::string(generator.expander).c_str()),
                       property_hunting(std::string(generator.dialect)));
     const auto finding = first_finding(hunt, 300);
     EXPECT_FALSE(finding) << generator.dialect << " " << finding->signature() << "\n"
@@ -45,7 +39,7 @@ TEST(PropertyHunt, FindsNothingWhereThereIsNoFault) {
 
 // I J K as absolute: an arc elsewhere has another radius, or none.
 TEST(PropertyHunt, FindsWhatDependsOnThePlaceAndMakesItSmall) {
-  PropertyHunt hunt(subject_of("ngc", "offsets-absolute"), property_hunting("rs274"));
+  PropertyHunt hunt(builtin("ngc", "offsets-absolute"), property_hunting("rs274"));
   auto finding = first_finding(hunt, 2'000);
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->relation->name, "translation");
@@ -66,10 +60,9 @@ struct Shown {
 };
 
 bool shows(const Shown& shown, const char* fault) {
-  PropertyHunt hunt(subject_of(shown.expander, fault), property_hunting(shown.dialect));
-  const auto profile = std::get<reference::Profile>(reference::default_profile(shown.dialect));
-  return hunt.differs({profile, shown.program}, *relations::find_relation(shown.relation),
-                      shown.variant);
+  PropertyHunt hunt(builtin(shown.expander, fault), property_hunting(shown.dialect));
+  return hunt.differs({defaults(shown.dialect), shown.program},
+                      *relations::find_relation(shown.relation), shown.variant);
 }
 
 // J-PROP-11: F10 under G20 is F254 under G21. J-PROP-11: the arc of G17 in G18. J-PROP-11: X4
@@ -96,7 +89,7 @@ TEST(PropertyHunt, FindsPlantedFaultsByEachRewriting) {
 }
 
 TEST(PropertyHunt, TellsOneSignatureOnce) {
-  PropertyHunt hunt(subject_of("ngc", "offsets-absolute"), property_hunting("rs274"));
+  PropertyHunt hunt(builtin("ngc", "offsets-absolute"), property_hunting("rs274"));
   std::set<std::string> signatures;
   for (int i = 0; i < 500; ++i) {
     const auto finding = hunt.step();
@@ -114,9 +107,9 @@ TEST(PropertyHunt, IsAMethodOfTheKillMatrix) {
   const MatrixTarget faulty{"ngc+offsets-absolute",
                             "NGC-ARC-02",
                             {"rs274"},
-                            subject_of("ngc", "offsets-absolute"),
-                            subject_of("ngc")};
-  const MatrixTarget sound{"ngc", "", {"rs274"}, subject_of("ngc"), subject_of("ngc")};
+                            builtin("ngc", "offsets-absolute"),
+                            builtin("ngc")};
+  const MatrixTarget sound{"ngc", "", {"rs274"}, builtin("ngc"), builtin("ngc")};
   EXPECT_TRUE(matrix_row(faulty, options).kills.at(Method::properties).killed);
   EXPECT_FALSE(matrix_row(sound, options).kills.at(Method::properties).killed);
   options.blind = true;

@@ -2,7 +2,6 @@
 #include "fuzz/hunt/prune.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include "fuzz/hunt/campaign.hpp"
 #include "fuzz/hunt/coverage.hpp"
 #include "hunting.hpp"
+#include "subjects/private_folder.hpp"
 
 namespace gonogo::hunt::testing {
 namespace {
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 std::set<std::uint64_t> shown_by(const std::vector<generate::GeneratedProgram>& programs) {
   std::set<std::uint64_t> shown;
   for (const auto& program : programs) {
-    const auto own = coverage_of(program, HuntOptions().most_cost);
+    const auto own = coverage_of(program, kMostCostInHunt);
     if (own) shown.insert(own->features.begin(), own->features.end());
   }
   return shown;
@@ -27,13 +27,6 @@ std::set<std::uint64_t> shown_by(const std::vector<generate::GeneratedProgram>& 
 
 class Prunings : public ::testing::Test {
  protected:
-  Prunings()
-      : folder_((fs::temp_directory_path() / fs::path("gonogo-prune-" + std::to_string(::getpid())))
-                    .string()) {
-    fs::remove_all(folder_);
-  }
-  ~Prunings() override { fs::remove_all(folder_); }
-
   HuntCampaign campaign(const char* fault) const {
     CampaignState wanted;
     wanted.dialect = "gsk988ta";
@@ -54,7 +47,8 @@ class Prunings : public ::testing::Test {
   }
   CampaignState state() const { return read_campaign_state(folder_).value(); }
 
-  std::string folder_;
+  oracle::PrivateFolder private_;
+  std::string folder_ = private_.path() + "/campaign";
 };
 
 TEST_F(Prunings, FewerProgramsShowAllThatWasShown) {

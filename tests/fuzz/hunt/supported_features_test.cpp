@@ -15,40 +15,39 @@ namespace {
 
 using Features = std::set<std::string>;
 
+// Of a subject that does not say what it does.
+oracle::SubjectInfo silent(oracle::SubjectInfo info) {
+  info.dialects.clear();
+  info.everything = true;
+  return info;
+}
+
 // A built-in expander that does these features on the default machine and no others, as a vendor's
 // does; it may say so when it starts, or keep it to itself.
-class PartialSubject : public oracle::Subject {
+class PartialSubject : public WrappedSubject {
  public:
   PartialSubject(std::unique_ptr<oracle::Subject> whole, Features does, bool says_so)
-      : whole_(std::move(whole)), does_(std::move(does)), info_(whole_->info()) {
-    if (says_so) {
-      info_.dialects = {{"gsk988ta", does_}};
-      info_.everything = false;
-    } else {
-      info_.dialects.clear();
-      info_.everything = true;
-    }
+      : WrappedSubject(std::move(whole)),
+        does_(std::move(does)),
+        info_(silent(WrappedSubject::info())) {
+    if (says_so) info_.dialects = {{"gsk988ta", does_}};
+    info_.everything = !says_so;
   }
   const oracle::SubjectInfo& info() const override { return info_; }
   void configure(const reference::Profile& profile) override {
     profile_ = profile;
-    whole_->configure(profile);
+    WrappedSubject::configure(profile);
   }
   oracle::RunEnd run(std::string_view id, std::string_view program,
                      const oracle::RecordSink& sink) override {
     const auto needed = program::features_needed({profile_, program});
     if (!std::ranges::includes(does_, needed) || !(profile_ == defaults("gsk988ta"))) {
-      oracle::RunEnd end;
-      end.kind = oracle::RunEnd::Kind::skip;
-      end.message = "not this";
-      return end;
+      return oracle::RunEnd::of(oracle::RunEnd::Kind::skip, "not this");
     }
-    return whole_->run(id, program, sink);
+    return WrappedSubject::run(id, program, sink);
   }
-  void renew() override { whole_->renew(); }
 
  private:
-  std::unique_ptr<oracle::Subject> whole_;
   Features does_;
   oracle::SubjectInfo info_;
   reference::Profile profile_;
@@ -101,9 +100,7 @@ TEST(SupportedFeatures, TheFaultOfAPartIsFound) {
 }
 
 TEST(SupportedFeatures, LeavesTheProgramsOfASubjectThatDoesEverythingAlone) {
-  oracle::SubjectInfo info;
-  info.everything = true;
-  SupportedFeatures supported(info, "gsk988ta");
+  SupportedFeatures supported(silent({}), "gsk988ta");
   const auto program = gsk("(any) G0 X1 Z2 Q9\nG115 X10 Z-5 ?\n");
   supported.ran(program);
   EXPECT_EQ(supported.fitted(program)->text, program.text);
@@ -122,27 +119,20 @@ bool is_line(const std::string& line) {
          line.size() > 2 && feed != 2;
 }
 
-class LineSubject : public oracle::Subject {
+class LineSubject : public WrappedSubject {
  public:
   explicit LineSubject(std::unique_ptr<oracle::Subject> whole)
-      : whole_(std::move(whole)), info_(whole_->info()) {
-    info_.dialects.clear();
-    info_.everything = true;
-  }
+      : WrappedSubject(std::move(whole)), info_(silent(WrappedSubject::info())) {}
   const oracle::SubjectInfo& info() const override { return info_; }
   void configure(const reference::Profile& profile) override {
     is_default_ = profile == defaults("rs274");
-    whole_->configure(profile);
+    WrappedSubject::configure(profile);
   }
   oracle::RunEnd run(std::string_view id, std::string_view program,
                      const oracle::RecordSink& sink) override {
-    if (is_default_ && takes(program)) return whole_->run(id, program, sink);
-    oracle::RunEnd end;
-    end.kind = oracle::RunEnd::Kind::skip;
-    end.message = "not supported";
-    return end;
+    if (is_default_ && takes(program)) return WrappedSubject::run(id, program, sink);
+    return oracle::RunEnd::of(oracle::RunEnd::Kind::skip, "not supported");
   }
-  void renew() override { whole_->renew(); }
 
  private:
   // Up to its M2.
@@ -155,7 +145,6 @@ class LineSubject : public oracle::Subject {
     return true;
   }
 
-  std::unique_ptr<oracle::Subject> whole_;
   oracle::SubjectInfo info_;
   bool is_default_ = true;
 };
@@ -194,9 +183,7 @@ generate::GeneratedProgram program(const char* text) {
 
 // A subject that says nothing of itself has skipped enough for what it does to be learned.
 SupportedFeatures that_saw_much_skipped() {
-  oracle::SubjectInfo info;
-  info.everything = true;
-  SupportedFeatures supported(info, "rs274");
+  SupportedFeatures supported(silent({}), "rs274");
   for (int i = 0; i < 3; ++i) supported.skipped(program("N5 G1 X9 (all of it)\n"));
   return supported;
 }
@@ -224,9 +211,7 @@ TEST(SupportedFeatures, WritesPlainlyWhatASubjectDoesNotRead) {
 
 // The first program is skipped for its G94 or its G90; the ones behind it show which.
 TEST(SupportedFeatures, LeavesOutWhatAloneWasToBlame) {
-  oracle::SubjectInfo info;
-  info.everything = true;
-  SupportedFeatures supported(info, "gsk988ta");
+  SupportedFeatures supported(silent({}), "gsk988ta");
   for (int i = 0; i < 3; ++i) supported.skipped(gsk("G1 X9 (all of it)\n"));
   const auto with_g90 = gsk("G0 X9 Z9\nG90 X5 Z-1 F100\nM30\n");
   supported.skipped(gsk("G0 X9 Z9\nG94 X5 Z-1 F100\nG90 X5 Z-1 F100\nM30\n"));

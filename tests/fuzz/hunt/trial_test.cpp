@@ -32,9 +32,7 @@ class Scripted : public oracle::Subject {
 SubjectMaker scripted(oracle::RunEnd::Kind kind, std::size_t& made) {
   return [kind, &made] {
     ++made;
-    oracle::RunEnd end;
-    end.kind = kind;
-    return std::make_unique<Scripted>(end);
+    return std::make_unique<Scripted>(oracle::RunEnd::of(kind, ""));
   };
 }
 

@@ -3,6 +3,10 @@
 // Cases of the corpus, and what planted faults depart by on them.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 
@@ -20,9 +24,26 @@ inline ProgramAsked case_of(const std::string& id) {
   throw std::runtime_error("There is no case " + id + ".");
 }
 
-inline Attribution attribute_fault(const char* expander, const char* fault, const std::string& id) {
-  const auto subject = builtin(expander, fault);
-  return attribute(*subject, checked_in_corpus(), case_of(id), {});
+struct Planted {
+  const char* expander;
+  const char* fault;
+  const char* departs_on;  // a case of the corpus
+  const char* cause;       // that is named; "": none
+};
+
+inline void PrintTo(const Planted& planted, std::ostream* out) {
+  *out << planted.expander << '+' << planted.fault;
+}
+
+inline std::string name_of(const ::testing::TestParamInfo<Planted>& planted) {
+  std::string name = std::string(planted.param.expander) + "_" + planted.param.fault;
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+inline Attribution attribute_fault(const Planted& planted) {
+  const auto subject = builtin(planted.expander, planted.fault);
+  return attribute(*subject, checked_in_corpus(), case_of(planted.departs_on), {});
 }
 
 }  // namespace gonogo::identify::testing

@@ -16,23 +16,13 @@ using testing::attribute_fault;
 using testing::builtin;
 using testing::case_of;
 using testing::checked_in_corpus;
-
-struct Planted {
-  const char* expander;
-  const char* fault;
-  const char* departs_on;  // a case of the corpus
-  const char* cause;
-};
-
-void PrintTo(const Planted& planted, std::ostream* out) {
-  *out << planted.expander << '+' << planted.fault;
-}
+using testing::Planted;
 
 class PlantedFault : public ::testing::TestWithParam<Planted> {};
 
 TEST_P(PlantedFault, IsExplainedByItsCause) {
   const Planted& planted = GetParam();
-  const Attribution found = attribute_fault(planted.expander, planted.fault, planted.departs_on);
+  const Attribution found = attribute_fault(planted);
   EXPECT_GT(found.departures, 0U);
   EXPECT_NE(std::ranges::find(found.complete, std::string(planted.cause), &Cause::name),
             found.complete.end())
@@ -46,7 +36,7 @@ TEST(Attribution, NamesWhatExplainsTheMost) {
                                          "R126 takes 2 for 3, and 3 for 2"},
                                  Planted{"ngc", "cr-lf-counted-twice", "ngc.amendments.000144",
                                          "CR LF counts as two lines"}}) {
-    const Attribution found = attribute_fault(planted.expander, planted.fault, planted.departs_on);
+    const Attribution found = attribute_fault(planted);
     const auto cause = std::ranges::find(found.partial, std::string(planted.cause), &Cause::name);
     ASSERT_NE(cause, found.partial.end()) << attribution_text(found);
     EXPECT_EQ(cause->departures, found.partial.front().departures) << attribution_text(found);
@@ -104,11 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"gsk", "missing-step-down-accepted", "gsk.g110.alarm.000069",
                 "GSK-G110-02 does without Q"},
         Planted{"hnc", "peck-running-sum", "hnc.pecks.000001", "Q is summed up in binary64"}),
-    [](const auto& planted) {
-      std::string name = std::string(planted.param.expander) + "_" + planted.param.fault;
-      std::ranges::replace(name, '-', '_');
-      return name;
-    });
+    testing::name_of);
 
 TEST(Departure, HasNoCauseWhereNothingDeparts) {
   for (const auto& [expander, id] :
@@ -123,7 +109,7 @@ TEST(Departure, HasNoCauseWhereNothingDeparts) {
 }
 
 TEST(Departure, SaysInNumbersWhatACauseExplains) {
-  const Attribution found = attribute_fault("ngc", "radius-sign-ignored", "ngc.arc-r.000005");
+  const Attribution found = attribute_fault({"ngc", "radius-sign-ignored", "ngc.arc-r.000005", ""});
   ASSERT_FALSE(found.complete.empty());
   EXPECT_EQ(found.complete.front().departures, found.departures);
   EXPECT_EQ(found.complete.front().passes, found.programs.size() - found.departures);
@@ -133,7 +119,7 @@ TEST(Departure, SaysInNumbersWhatACauseExplains) {
 TEST(Departure, IsGivenUpWhereItsTrialsTakeMoreRecordsThanTheyMay) {
   const auto subject = builtin("ngc", "g18-sense-flipped");
   const ProgramAsked asked = case_of("ngc.arc-distance.000013");
-  AttributionOptions options;
+  ExplanationOptions options;
   options.most_records = 100;
   const Attribution found = attribute(*subject, checked_in_corpus(), asked, options);
   EXPECT_TRUE(found.given_up);

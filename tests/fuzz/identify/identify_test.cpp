@@ -73,7 +73,9 @@ TEST(Identify, WritesAProfileThatSaysWhatWasFound) {
       reference::profile_from_toml(identification_toml(found, default_machine("hnc21t")));
   ASSERT_TRUE(std::holds_alternative<Profile>(read));
   Profile expected = default_machine("hnc21t");
-  found.set_in(expected);
+  for (const ReadingFound& one : found.readings) {
+    if (one.values.size() == 1) expected.readings.set(one.key, one.values.front());
+  }
   EXPECT_EQ(std::get<Profile>(read), expected);
   EXPECT_EQ(expected.readings.get("hnc.modal.f"_key), "forgotten");
 }

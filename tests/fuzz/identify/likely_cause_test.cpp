@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <span>
 #include <utility>
 
 #include "attributed.hpp"
@@ -17,6 +16,7 @@ namespace {
 using testing::attribute_fault;
 using testing::builtin;
 using testing::case_of;
+using testing::Planted;
 
 // Programs of which the first depart.
 Attribution seen_of(std::size_t departures, std::size_t passes) {
@@ -128,19 +128,39 @@ TEST(LikelyCause, IsNamedAfterTheRivalThatExplainsAnotherFindingAsWell) {
   EXPECT_EQ(recognise(named, *subject, {{&asked, 1}, {}}, {}), nullptr);
 }
 
-TEST(LikelyCause, OfALimitBeyondWhichNoPathIsLeft) {
-  const Attribution found =
-      attribute_fault("ngc", "g76-equal-k-passed", "ngc.threading.v1-t2f2-s1.000037");
-  EXPECT_EQ(likely_cause(found).name,
-            "K on a limit counts as a trifle larger, < for <= or the other way round")
-      << attribution_text(found);
+class LikelyCauseOf : public ::testing::TestWithParam<Planted> {};
+
+TEST_P(LikelyCauseOf, APlantedFaultIsNamed) {
+  const Planted& planted = GetParam();
+  const Attribution found = attribute_fault(planted);
+  EXPECT_EQ(likely_cause(found).name, planted.cause) << attribution_text(found);
 }
 
-TEST(LikelyCause, OfAReferencePointThatIsApproachedDirectly) {
-  const Attribution found = attribute_fault("gsk", "home-direct", "gsk.basic.000046");
-  EXPECT_EQ(likely_cause(found).name, "G28 leaves out the point of its words")
-      << attribution_text(found);
-}
+INSTANTIATE_TEST_SUITE_P(
+    Expanders, LikelyCauseOf,
+    ::testing::Values(
+        // Beyond the limit no path is left.
+        Planted{"ngc", "g76-equal-k-passed", "ngc.threading.v1-t2f2-s1.000037",
+                "K on a limit counts as a trifle larger, < for <= or the other way round"},
+        // The limit refuses its own value.
+        Planted{"gsk", "taper-equality-refused", "gsk.g90.alarm.000017",
+                "R on a limit counts as a trifle larger, < for <= or the other way round"},
+        Planted{"gsk", "home-direct", "gsk.basic.000046", "G28 leaves out the point of its words"},
+        // A CT behind the CIP goes on from it, so that more departs than the CIP itself.
+        Planted{"sinumerik", "cip-sense-flipped", "s840.cip.000001",
+                "every CIP turns the other way"},
+        Planted{"gsk", "end-point-lost", "gsk.g94.000088",
+                "an axis that a later block of all cycles does not name does not move"},
+        Planted{"sinumerik", "dwell-feed-kept", "s840.modes.000055",
+                "F of a dwell becomes the feed"},
+        // A way of no length is no motion, so that the path shows nothing of the end of some.
+        Planted{"sinumerik", "drill-retract-to-clearance", "s802.lcyc82.000003",
+                "the end of LCYC82 is where its cut began"},
+        Planted{"sinumerik", "pocket-retract-to-clearance", "s802.lcyc75.000037",
+                "the end of LCYC75 is where its cut began"},
+        // A word out of place is no word misread.
+        Planted{"ngc", "unused-alone-passed", "ngc.amendments.000017", ""}),
+    testing::name_of);
 
 // Runs another program in place of the one that it is given, as long in lines; or one of a machine
 // whose reference point is its zero point.
@@ -217,44 +237,6 @@ TEST(LikelyCause, IsTheOneThatSaysWhatTheSubjectDoesRatherThanWhatItDoesNotCheck
   EXPECT_NE(likely_cause(found).name, "R stays in force");
 }
 
-// A CT behind the CIP goes on from it, so that more departs than the CIP itself.
-TEST(LikelyCause, OfACipTheOtherWayRound) {
-  const Attribution found = attribute_fault("sinumerik", "cip-sense-flipped", "s840.cip.000001");
-  EXPECT_EQ(likely_cause(found).name, "every CIP turns the other way") << attribution_text(found);
-}
-
-TEST(LikelyCause, OfALimitThatRefusesItsOwnValue) {
-  const Attribution found =
-      attribute_fault("gsk", "taper-equality-refused", "gsk.g90.alarm.000017");
-  EXPECT_EQ(likely_cause(found).name,
-            "R on a limit counts as a trifle larger, < for <= or the other way round")
-      << attribution_text(found);
-}
-
-TEST(LikelyCause, OfAnEndPointThatACycleDoesNotRetain) {
-  const Attribution found = attribute_fault("gsk", "end-point-lost", "gsk.g94.000088");
-  EXPECT_EQ(likely_cause(found).name,
-            "an axis that a later block of all cycles does not name does not move")
-      << attribution_text(found);
-}
-
-TEST(LikelyCause, OfADwellWhoseWordBecomesTheFeed) {
-  const Attribution found = attribute_fault("sinumerik", "dwell-feed-kept", "s840.modes.000055");
-  EXPECT_EQ(likely_cause(found).name, "F of a dwell becomes the feed") << attribution_text(found);
-}
-
-// A way of no length is no motion, so that the path shows nothing of the end of some.
-TEST(LikelyCause, OfACycleThatEndsWhereItsCutBegan) {
-  const Attribution drilled =
-      attribute_fault("sinumerik", "drill-retract-to-clearance", "s802.lcyc82.000003");
-  EXPECT_EQ(likely_cause(drilled).name, "the end of LCYC82 is where its cut began")
-      << attribution_text(drilled);
-  const Attribution milled =
-      attribute_fault("sinumerik", "pocket-retract-to-clearance", "s802.lcyc75.000037");
-  EXPECT_EQ(likely_cause(milled).name, "the end of LCYC75 is where its cut began")
-      << attribution_text(milled);
-}
-
 // Among the hundreds of ways to misread a word there is one for nearly every single departure.
 TEST(LikelyCause, IsNoWordMisreadWhereOneProgramDeparts) {
   Attribution found;
@@ -264,11 +246,6 @@ TEST(LikelyCause, IsNoWordMisreadWhereOneProgramDeparts) {
   EXPECT_TRUE(likely_cause(found).empty());
   found.complete.front().is_misread = false;
   EXPECT_FALSE(likely_cause(found).empty());
-}
-
-TEST(LikelyCause, OfAWordOutOfPlaceIsNoWordMisread) {
-  const Attribution found = attribute_fault("ngc", "unused-alone-passed", "ngc.amendments.000017");
-  EXPECT_TRUE(likely_cause(found).empty()) << attribution_text(found);
 }
 
 TEST(LikelyCause, IsNoneWhereAMistakeAndItsOppositeExplainAsMuch) {

@@ -8,32 +8,26 @@
 #include "expanders/registry.hpp"
 #include "fuzz/identify/outcome.hpp"
 #include "subjects/make_subject.hpp"
+#include "tests/fuzz/wrapped_subject.hpp"
 
 namespace gonogo::identify::testing {
 
 // Passes everything on, but the readings of the profile: those it has of its own.
-class SecretSubject : public oracle::Subject {
+class SecretSubject : public WrappedSubject {
  public:
   SecretSubject(std::unique_ptr<oracle::Subject> inner, reference::ReadingChoice readings)
-      : inner_(std::move(inner)), readings_(std::move(readings)) {}
+      : WrappedSubject(std::move(inner)), readings_(std::move(readings)) {}
 
-  const oracle::SubjectInfo& info() const override { return inner_->info(); }
   void configure(const Profile& profile) override {
     told_a_reading_ = told_a_reading_ || !(profile.readings == reference::ReadingChoice());
     Profile own = profile;
     own.readings = readings_;
-    inner_->configure(own);
+    WrappedSubject::configure(own);
   }
-  oracle::RunEnd run(std::string_view id, std::string_view program,
-                     const oracle::RecordSink& sink) override {
-    return inner_->run(id, program, sink);
-  }
-  void renew() override { inner_->renew(); }
 
   bool told_a_reading() const { return told_a_reading_; }
 
  private:
-  std::unique_ptr<oracle::Subject> inner_;
   reference::ReadingChoice readings_;
   bool told_a_reading_ = false;
 };
@@ -71,22 +65,17 @@ inline std::unique_ptr<oracle::Subject> builtin(std::string_view name,
 // Two faults that have nothing to do with each other: centres of arcs are taken as absolute, and
 // dwells are a thousand times too long.
 inline constexpr const char* kDwellCause = "dwells come out milliseconds";
-class TwoFaults : public oracle::Subject {
+class TwoFaults : public WrappedSubject {
  public:
-  const oracle::SubjectInfo& info() const override { return inner_->info(); }
-  void configure(const Profile& profile) override { inner_->configure(profile); }
+  TwoFaults() : WrappedSubject(builtin("ngc", "offsets-absolute")) {}
   oracle::RunEnd run(std::string_view id, std::string_view program,
                      const oracle::RecordSink& sink) override {
-    return inner_->run(id, program, [&](const Record& record) {
+    return WrappedSubject::run(id, program, [&](const Record& record) {
       Record own = record;
       own.seconds = own.seconds * reference::Number::millionths(1'000'000'000);
       return sink(own);
     });
   }
-  void renew() override { inner_->renew(); }
-
- private:
-  std::unique_ptr<oracle::Subject> inner_ = builtin("ngc", "offsets-absolute");
 };
 
 inline Profile default_machine(std::string_view dialect) {

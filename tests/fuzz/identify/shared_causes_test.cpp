@@ -27,15 +27,14 @@ constexpr const char* kAbsolute = "I J K are taken as absolute";
 constexpr const char* kUnsigned = "R of G2 G3 is taken without its sign";
 
 // Puts the last motion of a program with a dwell somewhere else, by what no mistake comes to.
-class Displaced : public oracle::Subject {
+class Displaced : public WrappedSubject {
  public:
-  const oracle::SubjectInfo& info() const override { return inner_->info(); }
-  void configure(const Profile& profile) override { inner_->configure(profile); }
+  Displaced() : WrappedSubject(builtin("ngc", "offsets-absolute")) {}
   oracle::RunEnd run(std::string_view id, std::string_view program,
                      const oracle::RecordSink& sink) override {
     std::size_t moved = 0;
     const bool is_displaced = program.find("G4") != std::string_view::npos;
-    return inner_->run(id, program, [&](const Record& record) {
+    return WrappedSubject::run(id, program, [&](const Record& record) {
       Record other = record;
       if (is_displaced && record.axes.has(reference::Axis::x)) {
         other.to[reference::Axis::x] =
@@ -45,10 +44,6 @@ class Displaced : public oracle::Subject {
       return sink(other);
     });
   }
-  void renew() override {}
-
- private:
-  std::unique_ptr<oracle::Subject> inner_ = builtin("ngc", "offsets-absolute");
 };
 
 struct Sorted {
@@ -117,25 +112,20 @@ TEST(SharedCauses, TwoFaultsAreTwoCausesAndNoFaceIsOfBoth) {
 }
 
 // Dwells of G4 are there, and those of cycles are not.
-class WithoutDwellsOfCycles : public oracle::Subject {
+class WithoutDwellsOfCycles : public WrappedSubject {
  public:
-  const oracle::SubjectInfo& info() const override { return inner_->info(); }
-  void configure(const Profile& profile) override { inner_->configure(profile); }
+  WithoutDwellsOfCycles() : WrappedSubject(builtin("ngc")) {}
   oracle::RunEnd run(std::string_view id, std::string_view program,
                      const oracle::RecordSink& sink) override {
     static const std::regex kDwell("[gG]0*4($|[^0-9])");
     const std::vector<program::TextLine> lines = program::lines_of(program);
-    return inner_->run(id, program, [&](const Record& record) {
+    return WrappedSubject::run(id, program, [&](const Record& record) {
       const bool is_dwell = record.kind == reference::RecordKind::dwell;
       const bool is_written =
           is_dwell && std::regex_search(line_text(lines.at(record.block - 1)), kDwell);
       return (is_dwell && !is_written) || sink(record);
     });
   }
-  void renew() override { inner_->renew(); }
-
- private:
-  std::unique_ptr<oracle::Subject> inner_ = builtin("ngc");
 };
 
 TEST(SharedCauses, OneMistakeInAllCyclesIsOneCause) {

@@ -159,5 +159,48 @@ TEST(EnclosedEnds, ADepartureIsToldThoughItsSizeIsNot) {
             Decision::go);
 }
 
+// Where the ends of a whole turn are one point, an end known by an enclosure lies on either side of
+// it, and what angle it is seen under has no sign.
+TEST(EnclosedEnds, OfAWholeTurnDecideNothing) {
+  constexpr std::string_view kHelix = "G0 AP=37 RP=10 Z0 S400 M3\nG3 AP=37 Z-5 TURN=1 F100\n";
+  const auto decided = [&](std::string_view depth) {
+    constexpr std::string_view kAt37Degrees =
+        R"("to":{{"x":{{"enclosure":["7.98635510047292846284","7.98635510047292846285"]}},)"
+        R"("y":{{"enclosure":["6.01815023152048279917","6.01815023152048279918"]}},"z":"{}"}}}})";
+    const std::string start = R"({"k":"m","b":1,"m":3})"
+                              "\n"
+                              R"({"k":"rapid","b":1,)" +
+                              fmt::format(kAt37Degrees, 0);
+    const std::string turns =
+        R"({"k":"arc","b":2,"plane":"G17","c":{"x":"0","y":"0"},"rot":2,"f":"100",)" +
+        fmt::format(kAt37Degrees, depth);
+    const Judging judging = {.dialect = "sinumerik840d"};
+    return decision(judge_trace(kHelix, start + "\n" + turns + "\n", judging).kind);
+  };
+  EXPECT_EQ(decided("-5"), Decision::go);
+  EXPECT_EQ(decided("-4"), Decision::no_go);
+}
+
+// A number about 0 is neither rounded rightly nor wrongly, and no sign of a point at the centre.
+TEST(EnclosedEnds, AboutZeroAreJudgedByTheTolerance) {
+  const std::string quarter =
+      R"({"k":"arc","b":2,"plane":"G17","c":{"x":"5","y":"0"},"rot":-1,"f":"100",)"
+      R"("to":{"x":{"enclosure":["4.9999999999999999","5.0000000000000001"]},"y":"5"}})"
+      "\n";
+  Judging judging = {.dialect = "rs274"};
+  judging.exact = true;
+  EXPECT_EQ(decision(judge_trace("G21 G90\nG2 X5 Y5 I5 F100\nM2\n", quarter, judging).kind),
+            Decision::go);
+  const std::string line =
+      R"({"k":"rapid","b":2,"to":{"x":"10"}})"
+      "\n"
+      R"({"k":"feed","b":3,"to":{"x":{"enclosure":["-1e-16","1e-16"]}},"f":"100"})"
+      "\n";
+  judging = {.dialect = "rs274"};
+  judging.binary64 = true;
+  EXPECT_EQ(decision(judge_trace("G21 G90\nG0 X10\nG1 X0 F100\nM2\n", line, judging).kind),
+            Decision::go);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "oracle/motion/places.hpp"
-#include "oracle/motion/plain_line.hpp"
+#include "oracle/motion/plain_motion.hpp"
 #include "oracle/records/trace_reader.hpp"
 #include "reference/clause_literal.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"

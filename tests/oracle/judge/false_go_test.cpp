@@ -137,13 +137,13 @@ TEST(FalseGo, AnAlarmFollowsNoEnd) {
             VerdictKind::fail_overrun);
 }
 
-// SIE-LC75-11: infeeds of finishing may be fast, but of the pocket's own block. The traces end
-// there; what is asked is whether the judge gets so far.
+// SIE-LC75-04: the approach of roughing is of the pocket's own block. The traces end there; what is
+// asked is whether the judge gets so far.
 TEST(FalseGo, TheApproachOfAPocketBelongsToItsBlock) {
   constexpr std::string_view kPocket =
       "G0 X0 Y0 Z5 S400 M3 T1 D1\n"
       "R101=5 R102=2 R103=0 R104=-2 R116=0 R117=0 R118=60 R119=50 R120=6\n"
-      "R121=2 R122=100 R123=300 R124=9.5 R125=0 R126=2 R127=2\nLCYC75\n";
+      "R121=2 R122=100 R123=300 R124=9.5 R125=0 R126=2 R127=1\nLCYC75\n";
   const auto message_of = [&](int block) {
     const std::string trace = fmt::format(
         R"({{"k":"rapid","b":1,"to":{{"x":"0","y":"0","z":"5"}}}}

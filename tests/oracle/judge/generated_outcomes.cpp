@@ -53,8 +53,9 @@ SessionVerdict judged_by_lines(const reference::Profile& profile, const std::str
 
 namespace {
 
-// Fewer than kMostParts: behind that many the judge looks through the whole program, which of a pocket of a million
-// levels takes a quarter of a minute. OpenReadings.AreSettledBehindAnyNumberOfRecords tries it.
+// Fewer than kMostParts: behind that many the judge looks through the whole program, which of a
+// pocket of a million levels takes a quarter of a minute.
+// OpenReadings.AreSettledBehindAnyNumberOfRecords tries it.
 constexpr std::size_t kMostRecords = 4'000;
 
 Outcome run(const gonogo_subject_v1& table, const reference::Profile& profile,
@@ -114,8 +115,7 @@ const gonogo_subject_v1& any_expander(const generate::Generator& generator,
 void run_and_note_terms(const gonogo_subject_v1& table, GeneratedOutcome& made) {
   const reference::Profile& profile = made.program.profile;
   made.outcome = run(table, profile, made.program.text);
-  made.tolerances =
-      make_tolerances(make_interface_subject(table)->info(), profile, std::nullopt, std::nullopt);
+  made.tolerances = make_tolerances(make_interface_subject(table)->info(), profile);
 }
 
 }  // namespace

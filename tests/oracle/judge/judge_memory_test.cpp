@@ -38,7 +38,7 @@ Verdict judged_as_it_goes(const std::string& blocks, int count) {
   for (int i = 0; i < count; ++i) program += blocks;
   SubjectInfo subject;
   subject.features = {"blocks", "m"};
-  const Tolerances tolerances = make_tolerances(subject, profile, {}, {});
+  const Tolerances tolerances = make_tolerances(subject, profile);
   ProgramJudge judge(profile, program, tolerances);
   ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::shown);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/judge/verdict_ranking.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -38,11 +38,10 @@ Verdict judge_trace(std::string_view program, std::string_view trace, const Judg
   if (judging.binary64) subject.numeric_kind = "binary64";
   subject.says_numeric = judging.exact;
   if (!judging.resolution.empty()) subject.resolution = Number::parse(judging.resolution);
-  std::optional<Number> chord;
-  if (!judging.chord.empty()) chord = Number::parse(judging.chord);
-  std::optional<Number> tolerance;
-  if (!judging.tolerance.empty()) tolerance = Number::parse(judging.tolerance);
-  Tolerances tolerances = make_tolerances(subject, profile, tolerance, chord);
+  Grants grants;
+  if (!judging.chord.empty()) grants.chord = Number::parse(judging.chord);
+  if (!judging.tolerance.empty()) grants.tolerance = Number::parse(judging.tolerance);
+  Tolerances tolerances = make_tolerances(subject, profile, grants);
   tolerances.strict = judging.strict;
   TraceReader reader;
   std::vector<reference::Record> records;

@@ -98,6 +98,7 @@ TEST(LatheSilence, OfALoneRunOutWordExcusesThePair) {
   EXPECT_EQ(lathe_thread("R-1 E1 F2", "X39 Z-20 R-2", "retract-pair", run_out),
             "advice HNC-G82-12");
   EXPECT_EQ(lathe_thread("R-1 E1 F2", "X39 Z-20", "retract-pair", run_out), "fail.alarm-spurious");
+  EXPECT_EQ(lathe_thread("F2", "X39 Z-20 R0", "retract-pair"), "advice HNC-G82-12");
   EXPECT_EQ(lathe_thread("R-1 E1 F2", "X39 Z-20 R-2 E2", "retract-pair", run_out),
             "fail.alarm-spurious");
 }

@@ -43,6 +43,9 @@ constexpr auto kFollowed = std::to_array<Followed>({
     {"gsk988ta", "gsk.thread.modal", "none", kThreads},
     {"gsk988ta", "gsk.missing-axis", "position",
      "G17 G00 X40 Y30 Z10\nG112 X20 Y10 W-4 R-1 I6 L2 D4 F200\nX9 Y8\n"},
+    {"gsk988ta", "gsk.missing-axis", "current",
+     "G17 G00 X40 Y30 Z10\nG112 X20 W-4 I6 D4 F200\nG00 X0\n"},
+    {"gsk988ta", "gsk.arc.closed", "none", "G00 X50 Z10\nG02 X50 Z10 R5 F100\nG00 X60\n"},
     {"gsk988ta", "gsk.g80.motion", "kept", "G00 X50 Z5\nG01 Z-10 F100\nG80\nZ-20\n"},
     {"gsk988ta", "gsk.g94.rewrite", "clear-all", "G00 X100 Z5\nG94 X60 Z-10 R-5 F100\nG94 X40\n"},
     {"gsk988ta", "gsk.g94.still-axis", "ignored", "G00 X100 Z5\nG94 X60 Z-5 V0 F100\nG00 X90\n"},
@@ -51,7 +54,11 @@ constexpr auto kFollowed = std::to_array<Followed>({
     {"hnc21t", "hnc.modal.f", "forgotten",
      "G00 X50 Z2\nF200\nG80 X40 Z-9 F100\nG81 X40 Z-9\nG01 X0\n"},
     {"hnc21t", "hnc.g82.exit", "feed", "G00 X50 Z2\nG82 X40 Z-9 R-1 E1 F1\n"},
-    {"hnc21t", "hnc.g32.lead", "kept", "G00 X50 Z5\nG32 Z-30 F1.5\nG00 Z5\nG32 Z-30\n"},
+    {"hnc21t", "hnc.g32.lead", "kept", "G00 X50 Z5\nG32 Z-30 F1.5\nG01 Z5 F100\nG32 Z-30\n"},
+    {"hnc21t", "hnc.g32.lead", "feed", "G00 X50 Z5\nG01 Z0 F100\nG32 Z-30 F1.5\nG01 X60\n"},
+    {"hnc21t", "hnc.g32.lead", "feed", "G00 X50 Z5\nG01 Z0 F2\nG32 Z-30\n"},
+    {"hnc21t", "hnc.arc.closed", "none", "G00 X40 Z0\nG02 X40 Z0 R5 F100\nG00 X50\n"},
+    {"hnc21t", "hnc.arc.small-radius", "semicircle", "G00 X40 Z0\nG03 Z-20.01 R10 F100\n"},
     {"hnc21t", "hnc.modal.words", "kept",
      "G00 X50 Z5\nG80 X40 Z-20 I-3 F100\nG00 X52\nG80 X38 Z-20 F100\n"},
     {"hnc21t", "hnc.g74.mode3", "on", "G00 X0 Z2\nG74 Z-10 Q3 F50\n"},
@@ -134,7 +141,7 @@ TEST(LazyForks, TheCapIsOnThoseThatAreStillFollowed) {
       "G17 G00 X40 Y30 Z10\n"
       "G112 X20 Y10 W-4 R-1 I6 L2 D4 F200\n"    // flat
       "X30 Y10 W-4 I6\n"                        // L retained, R retained
-      "X9 Y8\n"                                 // missing axis
+      "X9 W-4\n"                                // missing axis
       "G110 X20 Y10 W-4 R-1 I10 L3 Q2 P8 D2\n"  // end
       "X30 Y10 W0\n"                            // zero depth, and where it ends
       "G00 X0\n";

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "oracle/differential/reference_run.hpp"
+#include "oracle/judge/verdict_ranking.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
 #include "tests/trials.hpp"
 

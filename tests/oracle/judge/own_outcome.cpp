@@ -36,7 +36,7 @@ Tolerances exact_terms(const reference::Profile& profile, std::string_view resol
   SubjectInfo subject;
   subject.features = {"blocks", "m"};
   if (!resolution.empty()) subject.resolution = Number::parse(resolution);
-  return make_tolerances(subject, profile, std::nullopt, std::nullopt);
+  return make_tolerances(subject, profile);
 }
 
 Verdict judge_own(std::string_view program, const reference::Profile& profile,

@@ -30,8 +30,7 @@ Verdict judge_records(std::string_view program, const std::vector<Record>& recor
                       const Judged& judged) {
   SubjectInfo subject;
   if (judged.blocks) subject.features.insert("blocks");
-  const Tolerances tolerances =
-      make_tolerances(subject, judged.profile, std::nullopt, std::nullopt);
+  const Tolerances tolerances = make_tolerances(subject, judged.profile);
   const std::vector<Record> sent = judged.blocks ? records : without_blocks(records);
   return judge_outcome(judged.profile, program, tolerances, sent, RunEnd{}).verdict;
 }

@@ -19,19 +19,13 @@ RC_GTEST_PROP(Queue, IsThatOfTheStandardLibrary, ()) {
     if (step >= 0) {
       queue.push_back(step);
       expected.push_back(step);
-    } else if (step < -50) {
-      const auto goes = [&](int value) { return value % 7 == -step % 7; };
-      queue.erase_if(goes);
-      std::erase_if(expected, goes);
     } else if (!expected.empty()) {
       queue.pop_front();
       expected.pop_front();
     }
-    RC_ASSERT(queue.empty() == expected.empty());
     RC_ASSERT(queue.size() == expected.size());
     RC_ASSERT(std::vector<int>(queue.begin(), queue.end()) ==
               std::vector<int>(expected.begin(), expected.end()));
-    if (!expected.empty()) RC_ASSERT(queue.front() == expected.front());
   }
 }
 

@@ -175,7 +175,7 @@ TEST(ThreadJudge, ThePathThatExpandShowsIsGo) {
       }
       SubjectInfo subject;
       subject.features = {"blocks"};
-      const Tolerances tolerances = make_tolerances(subject, profile, {}, {});
+      const Tolerances tolerances = make_tolerances(subject, profile);
       const Verdict verdict =
           judge_outcome(profile, program, tolerances, records, RunEnd{}).verdict;
       EXPECT_EQ(decision(verdict.kind), Decision::go)

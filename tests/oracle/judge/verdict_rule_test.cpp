@@ -115,14 +115,6 @@ TEST(VerdictRule, OfAFreeStepIsItsConditionWithItsClause) {
   EXPECT_NE(verdict.clause, reference::kNoClause);
 }
 
-TEST(GapReasons, HaveNamesThatAreReadBack) {
-  for (std::size_t i = 0; i < kGapReasons.size(); ++i) {
-    const auto reason = static_cast<GapReason>(i);
-    EXPECT_EQ(gap_reason(name(reason)), reason);
-  }
-  EXPECT_FALSE(gap_reason("no such reason"));
-}
-
 TEST(GapReasons, TellWhatIsNotReadFromWhatTheProfileLacks) {
   const auto reason = [](std::string_view program) {
     return judge_trace(program, "", of_dialect("rs274")).gap;

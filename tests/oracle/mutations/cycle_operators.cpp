@@ -36,9 +36,7 @@ std::optional<std::pair<std::size_t, std::size_t>> any_level(Edit& edit) {
 bool no_level(Edit& edit) {
   const auto level = any_level(edit);
   if (!level) return false;
-  const auto first = edit.trace.records.begin();
-  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(level->first),
-                           first + static_cast<std::ptrdiff_t>(level->second));
+  edit.replace(level->first, level->second);
   return true;
 }
 
@@ -49,21 +47,14 @@ bool clear_inwards(Edit& edit) {
   const auto [begin, end] = *level;
   const Record& last = edit.right(end - 1);
   std::vector<Record> inwards;
-  Record out = edit.motion_to(RecordKind::feed, last.block, edit.specimen.before[end - 1]);
-  out.feed = last.feed;
-  out.feed_mode = last.feed_mode;
-  inwards.push_back(out);
+  inwards.push_back(edit.cut_to(last, last.block, edit.specimen.before[end - 1]));
   for (std::size_t i = end; i-- > begin;) {
     Record record = edit.right(i);
     record.axes = reference::kEveryAxis;
     record.to = edit.specimen.before[i];
     inwards.push_back(record);
   }
-  const auto first = edit.trace.records.begin();
-  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(begin),
-                           first + static_cast<std::ptrdiff_t>(end));
-  edit.trace.records.insert(edit.trace.records.begin() + static_cast<std::ptrdiff_t>(begin),
-                            inwards.begin(), inwards.end());
+  edit.replace(begin, end, inwards);
   return true;
 }
 
@@ -73,9 +64,7 @@ bool through_solid(Edit& edit) {
   if (!level || level->second - level->first < 4) return false;
   const auto [begin, end] = *level;
   const Record& last = edit.right(end - 1);
-  Record out = edit.motion_to(RecordKind::feed, last.block, edit.specimen.before[end - 1]);
-  out.feed = last.feed;
-  out.feed_mode = last.feed_mode;
+  const Record out = edit.cut_to(last, last.block, edit.specimen.before[end - 1]);
   Record back = out;
   back.to = edit.specimen.before[begin];
   edit.insert(begin, back);
@@ -161,9 +150,7 @@ bool no_pocket_level(Edit& edit) {
   }
   if (plunges.size() < 2) return false;
   const std::size_t which = edit.chance.below(plunges.size() - 1);
-  const auto first = edit.trace.records.begin();
-  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(plunges[which]),
-                           first + static_cast<std::ptrdiff_t>(plunges[which + 1]));
+  edit.replace(plunges[which], plunges[which + 1]);
   return true;
 }
 
@@ -178,11 +165,7 @@ bool floor_with_the_contour(Edit& edit) {
   std::vector<Record> records;
   auto path = reference::sinumerik::contour_parallel(pocket);
   while (const reference::Item* item = path.next()) records.push_back(std::get<Record>(*item));
-  const auto first = edit.trace.records.begin();
-  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(begin),
-                           first + static_cast<std::ptrdiff_t>(end));
-  edit.trace.records.insert(edit.trace.records.begin() + static_cast<std::ptrdiff_t>(begin),
-                            records.begin(), records.end());
+  edit.replace(begin, end, records);
   return true;
 }
 

@@ -54,6 +54,13 @@ Record Edit::motion_to(RecordKind kind, std::uint64_t block, const reference::Po
   return record;
 }
 
+Record Edit::cut_to(const Record& words, std::uint64_t block, const reference::Position& to) const {
+  Record cut = motion_to(RecordKind::feed, block, to);
+  cut.feed = words.feed;
+  cut.feed_mode = words.feed_mode;
+  return cut;
+}
+
 std::optional<Record> Edit::cutting_words(std::size_t near) const {
   const std::vector<Record>& records = specimen.right.records;
   for (std::size_t away = 0; away < records.size(); ++away) {
@@ -76,6 +83,13 @@ void Edit::erase(std::size_t number) {
   trace.records.erase(trace.records.begin() + static_cast<std::ptrdiff_t>(number));
 }
 
+void Edit::replace(std::size_t begin, std::size_t end, const std::vector<Record>& records) {
+  const auto first = trace.records.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = trace.records.begin() + static_cast<std::ptrdiff_t>(end);
+  const auto place = trace.records.erase(first, last);
+  trace.records.insert(place, records.begin(), records.end());
+}
+
 Number Edit::times_tolerance(double factor) const {
   constexpr double kHundredths = 100;
   return specimen.tolerances.tolerance * Number(static_cast<std::int64_t>(factor * kHundredths)) /
@@ -91,11 +105,27 @@ Number Edit::off() {
   return chance.once_in(2) ? length : -length;
 }
 
+Apply to_any_motion(Change change) {
+  return [change = std::move(change)](Edit& edit) {
+    const auto number = edit.any_motion();
+    if (number) change(edit, *number);
+    return number.has_value();
+  };
+}
+
+Apply to_any(RecordKind kind, Change change) {
+  return [kind, change = std::move(change)](Edit& edit) {
+    const auto number = edit.any_of_kind(kind);
+    if (number) change(edit, *number);
+    return number.has_value();
+  };
+}
+
 std::vector<Operator> wrong_operators() {
   std::vector<Operator> all;
-  for (auto family : {shifting_operators, sequence_operators, word_operators, turning_operators,
-                      event_operators, m_operators, cycle_operators, pocket_operators,
-                      thread_operators}) {
+  for (auto family :
+       {shifting_operators, sequence_operators, word_operators, turning_operators, event_operators,
+        m_operators, cycle_operators, pocket_operators, thread_operators}) {
     std::ranges::move(family(), std::back_inserter(all));
   }
   return all;

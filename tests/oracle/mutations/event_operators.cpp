@@ -14,36 +14,12 @@ bool alarms(const Edit& edit) {
   return edit.specimen.right.end.kind == RunEnd::Kind::alarm;
 }
 
-bool drop_m(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::m);
-  if (!number) return false;
-  edit.erase(*number);
-  return true;
-}
-
-bool add_m(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
+void add_m(Edit& edit, std::size_t number) {
   Record record;
   record.kind = RecordKind::m;
   record.m = 8;
-  record.block = edit.right(*number).block;
-  edit.insert(*number, record);
-  return true;
-}
-
-bool repeat_m(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::m);
-  if (!number) return false;
-  edit.insert(*number, edit.right(*number));
-  return true;
-}
-
-bool change_m(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::m);
-  if (!number) return false;
-  ++edit.trace.records[*number].m;
-  return true;
+  record.block = edit.right(number).block;
+  edit.insert(number, record);
 }
 
 // Over a motion of another block, or to a place anywhere.
@@ -57,31 +33,18 @@ bool move_m(Edit& edit) {
   return true;
 }
 
-bool drop_dwell(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::dwell);
-  if (!number) return false;
-  edit.erase(*number);
-  return true;
-}
-
-bool change_dwell(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::dwell);
-  if (!number) return false;
-  Number& seconds = edit.trace.records[*number].seconds;
+void change_dwell(Edit& edit, std::size_t number) {
+  Number& seconds = edit.trace.records[number].seconds;
   seconds =
       edit.chance.once_in(2) ? seconds * 1000 + Number(1) : seconds + Number::millionths(10'000);
-  return true;
 }
 
-bool add_dwell(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
+void add_dwell(Edit& edit, std::size_t number) {
   Record record;
   record.kind = RecordKind::dwell;
   record.seconds = Number(1) / 2;
-  record.block = edit.right(*number).block;
-  edit.insert(*number + edit.chance.below(2), record);
-  return true;
+  record.block = edit.right(number).block;
+  edit.insert(number + edit.chance.below(2), record);
 }
 
 bool no_alarm(Edit& edit) {
@@ -146,25 +109,24 @@ bool alarm_after_motion_of_its_block(Edit& edit) {
   return true;
 }
 
-bool other_end_position(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::end);
-  if (!number) return false;
-  edit.trace.records[*number].to[edit.chance.one_of(reference::kAllAxes)] += edit.off();
-  return true;
+void other_end_position(Edit& edit, std::size_t number) {
+  edit.trace.records[number].to[edit.chance.one_of(reference::kAllAxes)] += edit.off();
 }
 
 }  // namespace
 
 std::vector<Operator> event_operators() {
   return {
-      {"drop-m", "an M function is missing", drop_m},
-      {"add-m", "an M function more", add_m},
-      {"repeat-m", "an M function comes twice", repeat_m},
-      {"change-m", "another M function", change_m},
+      {"drop-m", "an M function is missing", to_any(RecordKind::m, &Edit::erase)},
+      {"add-m", "an M function more", to_any_motion(add_m)},
+      {"repeat-m", "an M function comes twice",
+       to_any(RecordKind::m, [](Edit& edit, std::size_t i) { edit.insert(i, edit.right(i)); })},
+      {"change-m", "another M function",
+       to_any(RecordKind::m, [](Edit& edit, std::size_t i) { ++edit.trace.records[i].m; })},
       {"move-m", "an M function stands elsewhere among the motions", move_m},
-      {"drop-dwell", "a dwell is missing", drop_dwell},
-      {"change-dwell", "a dwell is longer", change_dwell},
-      {"add-dwell", "a dwell more", add_dwell},
+      {"drop-dwell", "a dwell is missing", to_any(RecordKind::dwell, &Edit::erase)},
+      {"change-dwell", "a dwell is longer", to_any(RecordKind::dwell, change_dwell)},
+      {"add-dwell", "a dwell more", to_any_motion(add_dwell)},
       {"no-alarm", "the alarm is missing", no_alarm},
       {"alarm-where-none-is", "an alarm in a program without fault", alarm_where_none_is},
       {"alarm-in-another-class", "the alarm is of another class", alarm_in_another_class},
@@ -173,7 +135,8 @@ std::vector<Operator> event_operators() {
       {"alarm-before-all-motion", "the alarm comes before any motion", alarm_before_all_motion},
       {"alarm-after-motion", "the alarm comes after motion of its block",
        alarm_after_motion_of_its_block},
-      {"other-end-position", "the end says another place", other_end_position},
+      {"other-end-position", "the end says another place",
+       to_any(RecordKind::end, other_end_position)},
   };
 }
 

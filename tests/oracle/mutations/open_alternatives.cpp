@@ -131,18 +131,24 @@ double any_angle(Attempt& attempt) {
   return static_cast<double>(attempt.chance.below(360)) * pi / 180;
 }
 
+// The records of a level or a helical pocket, by any angle about its centre.
+template <typename Item>
+std::vector<Record> turned_part(Attempt& attempt, const Part& part, const Item& item) {
+  const double angle = any_angle(attempt);
+  std::vector<Record> records;
+  for (std::size_t i = part.begin; i < part.end; ++i) {
+    records.push_back(turned(attempt.specimen.right.records[i], attempt.specimen.after[i],
+                             axes_of(item.plane), item.centre, angle));
+  }
+  return records;
+}
+
 // The finishing circle ends where it begins: the level does not end at the centre.
 bool level_from_another_side(Attempt& attempt) {
   const auto part = any_part(attempt, PartKind::level);
   if (!part) return false;
   const auto& level = std::get<reference::PocketLevel>(*part->item);
-  const double angle = any_angle(attempt);
-  std::vector<Record> records;
-  for (std::size_t i = part->begin; i < part->end; ++i) {
-    records.push_back(turned(attempt.specimen.right.records[i], attempt.specimen.after[i],
-                             axes_of(level.plane), level.centre, angle));
-  }
-  put_in_place(attempt, *part, records);
+  put_in_place(attempt, *part, turned_part(attempt, *part, level));
   return true;
 }
 
@@ -230,12 +236,7 @@ bool helix_from_another_side(Attempt& attempt) {
   const auto part = any_part(attempt, PartKind::helix_pocket);
   if (!part) return false;
   const auto& pocket = std::get<reference::HelixPocket>(*part->item);
-  const double angle = any_angle(attempt);
-  std::vector<Record> records;
-  for (std::size_t i = part->begin; i < part->end; ++i) {
-    records.push_back(turned(attempt.specimen.right.records[i], attempt.specimen.after[i],
-                             axes_of(pocket.plane), pocket.centre, angle));
-  }
+  std::vector<Record> records = turned_part(attempt, *part, pocket);
   // It ends at the centre itself.
   records.back().to = attempt.specimen.after[part->end - 1];
   put_in_place(attempt, *part, records);

@@ -35,8 +35,12 @@ class Edit {
   Record motion_to(RecordKind kind, std::uint64_t block, const reference::Position& to) const;
   // A feed that is in force thereabouts; nothing where nothing cuts.
   std::optional<Record> cutting_words(std::size_t near) const;
+  // A cut with the feed of another record.
+  Record cut_to(const Record& words, std::uint64_t block, const reference::Position& to) const;
   void insert(std::size_t before, Record record);
   void erase(std::size_t number);
+  // The records before `end` from `begin` on; others come in their place.
+  void replace(std::size_t begin, std::size_t end, const std::vector<Record>& records = {});
   // A length well beyond the tolerance, of either sign.
   Number off();
   Number times_tolerance(double factor) const;
@@ -46,11 +50,17 @@ class Edit {
   Trace trace;
 };
 
+// False where it cannot be applied.
+using Apply = std::function<bool(Edit&)>;
+// What changes one record, of any motion or of any record of a kind.
+using Change = std::function<void(Edit&, std::size_t number)>;
+Apply to_any_motion(Change change);
+Apply to_any(RecordKind kind, Change change);
+
 struct Operator {
   std::string_view name;
   std::string_view says;  // what it makes wrong, or another way of doing the same
-  // False where it cannot be applied.
-  std::function<bool(Edit&)> apply;
+  Apply apply;
   // It moves M functions or dwells among the motions; line numbers say nothing of their places.
   bool orders_events = false;
 };

@@ -12,15 +12,7 @@ using reference::Axis;
 using reference::kLinearAxes;
 using reference::Position;
 
-// The next motion starts where this one did.
-bool drop(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
-  edit.erase(*number);
-  return true;
-}
-
-// The same, but all that follows lies where it lay: the next motion takes the short cut.
+// All that follows lies where it lay: the next motion takes the short cut.
 bool drop_and_cut_short(Edit& edit) {
   const auto number = edit.any_motion();
   if (!number || !edit.lead_next_to_its_end(*number)) return false;
@@ -28,33 +20,20 @@ bool drop_and_cut_short(Edit& edit) {
   return true;
 }
 
-bool drop_several(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
+void drop_several(Edit& edit, std::size_t number) {
   const std::size_t count = 2 + edit.chance.below(4);
   for (std::size_t i = 0; i < count; ++i) {
-    if (*number < edit.trace.records.size() && is_motion(edit.trace.records[*number].kind)) {
-      edit.erase(*number);
+    if (number < edit.trace.records.size() && is_motion(edit.trace.records[number].kind)) {
+      edit.erase(number);
     }
   }
-  return true;
 }
 
-bool drop_block(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
-  const std::uint64_t block = edit.right(*number).block;
+void drop_block(Edit& edit, std::size_t number) {
+  const std::uint64_t block = edit.right(number).block;
   std::erase_if(edit.trace.records, [&](const Record& record) {
     return is_motion(record.kind) && record.block == block;
   });
-  return true;
-}
-
-bool cut_off(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
-  edit.trace.records.resize(*number);
-  return true;
 }
 
 // A motion back to its start before it is made again.
@@ -66,22 +45,12 @@ Record way_back(Edit& edit, std::size_t number) {
   return back;
 }
 
-bool repeat_there_and_back(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
-  Record again = edit.right(*number);
+void repeat_there_and_back(Edit& edit, std::size_t number) {
+  Record again = edit.right(number);
   again.axes = reference::kEveryAxis;
-  again.to = edit.specimen.after[*number];
-  edit.insert(*number + 1, again);
-  edit.insert(*number + 1, way_back(edit, *number));
-  return true;
-}
-
-bool repeat(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
-  edit.insert(*number + 1, edit.right(*number));
-  return true;
+  again.to = edit.specimen.after[number];
+  edit.insert(number + 1, again);
+  edit.insert(number + 1, way_back(edit, number));
 }
 
 bool swap_two(Edit& edit) {
@@ -144,14 +113,6 @@ bool excursion(Edit& edit, RecordKind kind) {
   return true;
 }
 
-bool excursion_as_traverse(Edit& edit) {
-  return excursion(edit, RecordKind::rapid);
-}
-
-bool excursion_as_cut(Edit& edit) {
-  return excursion(edit, RecordKind::feed);
-}
-
 // Back along the depth axis, as a cut where something cuts.
 bool extra_plunge(Edit& edit) {
   const auto number = edit.any_motion();
@@ -159,10 +120,7 @@ bool extra_plunge(Edit& edit) {
   const auto words = edit.cutting_words(*number);
   if (!words) return false;
   const Axis depth = words->kind == RecordKind::arc ? axes_of(words->plane).d : Axis::z;
-  Record down =
-      edit.motion_to(RecordKind::feed, edit.right(*number).block, edit.specimen.before[*number]);
-  down.feed = words->feed;
-  down.feed_mode = words->feed_mode;
+  Record down = edit.cut_to(*words, edit.right(*number).block, edit.specimen.before[*number]);
   Record up = down;
   down.to[depth] -= Number(1);
   edit.insert(*number, up);
@@ -170,46 +128,45 @@ bool extra_plunge(Edit& edit) {
   return true;
 }
 
-bool motion_at_the_end(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
+void motion_at_the_end(Edit& edit, std::size_t /*number*/) {
   std::size_t last = edit.specimen.right.records.size();
   while (!is_motion(edit.right(last - 1).kind)) --last;
   Position to = edit.specimen.after[last - 1];
   to[edit.chance.one_of(kLinearAxes)] += edit.off();
   edit.insert(last, edit.motion_to(RecordKind::rapid, edit.right(last - 1).block, to));
-  return true;
 }
 
-bool motion_behind_the_end(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::end);
-  if (!number) return false;
-  Position to = edit.specimen.after[*number];
+void motion_behind_the_end(Edit& edit, std::size_t number) {
+  Position to = edit.specimen.after[number];
   to[edit.chance.one_of(kLinearAxes)] += edit.off();
-  edit.insert(*number + 1, edit.motion_to(RecordKind::rapid, edit.right(*number).block, to));
-  return true;
+  edit.insert(number + 1, edit.motion_to(RecordKind::rapid, edit.right(number).block, to));
 }
 
 }  // namespace
 
 std::vector<Operator> sequence_operators() {
   return {
-      {"drop", "a motion is missing", drop},
+      {"drop", "a motion is missing", to_any_motion(&Edit::erase)},
       {"drop-and-cut-short", "a motion is left out", drop_and_cut_short},
-      {"drop-several", "several motions are missing", drop_several},
-      {"drop-block", "the motions of a block are missing", drop_block},
-      {"cut-off", "the trace stops", cut_off},
-      {"repeat", "a motion comes twice", repeat},
+      {"drop-several", "several motions are missing", to_any_motion(drop_several)},
+      {"drop-block", "the motions of a block are missing", to_any_motion(drop_block)},
+      {"cut-off", "the trace stops",
+       to_any_motion([](Edit& edit, std::size_t i) { edit.trace.records.resize(i); })},
+      {"repeat", "a motion comes twice",
+       to_any_motion([](Edit& edit, std::size_t i) { edit.insert(i + 1, edit.right(i)); })},
       {"repeat-there-and-back", "a motion is made, taken back and made again",
-       repeat_there_and_back},
+       to_any_motion(repeat_there_and_back)},
       {"swap-two", "two motions change places", swap_two},
       {"reverse", "a motion is made from its end to its start", reverse},
       {"reverse-run", "motions come from the last to the first", reverse_run},
-      {"excursion-as-traverse", "away and back", excursion_as_traverse},
-      {"excursion-as-cut", "away and back, cutting", excursion_as_cut},
+      {"excursion-as-traverse", "away and back",
+       [](Edit& edit) { return excursion(edit, RecordKind::rapid); }},
+      {"excursion-as-cut", "away and back, cutting",
+       [](Edit& edit) { return excursion(edit, RecordKind::feed); }},
       {"extra-plunge", "down and up again", extra_plunge},
-      {"motion-at-the-end", "a motion more", motion_at_the_end},
-      {"motion-behind-the-end", "a motion behind the end", motion_behind_the_end},
+      {"motion-at-the-end", "a motion more", to_any_motion(motion_at_the_end)},
+      {"motion-behind-the-end", "a motion behind the end",
+       to_any(RecordKind::end, motion_behind_the_end)},
   };
 }
 

@@ -67,15 +67,12 @@ bool shift_end_for_good(Edit& edit) {
   return !stops_on_the_way(edit, *number, axis);
 }
 
-bool shift_rotary_end(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
-  Record& record = edit.trace.records[*number];
+void shift_rotary_end(Edit& edit, std::size_t number) {
+  Record& record = edit.trace.records[number];
   const Axis axis = edit.chance.one_of(std::to_array({Axis::a, Axis::c}));
-  record.to[axis] = edit.specimen.after[*number][axis] + edit.off();
+  record.to[axis] = edit.specimen.after[number][axis] + edit.off();
   record.axes.add(axis);
-  edit.lead_next_to_its_end(*number);
-  return true;
+  edit.lead_next_to_its_end(number);
 }
 
 // All from one motion on moved along an axis: an offset that is wrong.
@@ -103,18 +100,12 @@ bool shift_rest(Edit& edit) {
   return true;
 }
 
-bool shift_centre(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::arc);
-  if (!number) return false;
-  edit.trace.records[*number].centre[edit.chance.below(2)] += edit.off();
-  return true;
+void shift_centre(Edit& edit, std::size_t number) {
+  edit.trace.records[number].centre[edit.chance.below(2)] += edit.off();
 }
 
-bool shift_via(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::arc3);
-  if (!number) return false;
-  edit.trace.records[*number].via[edit.chance.one_of(kLinearAxes)] += edit.off();
-  return true;
+void shift_via(Edit& edit, std::size_t number) {
+  edit.trace.records[number].via[edit.chance.one_of(kLinearAxes)] += edit.off();
 }
 
 // An arc about its centre, farther out or nearer: gouged walls, wrong passes.
@@ -151,14 +142,6 @@ bool widen_arc(Edit& edit, const Number& by) {
   return true;
 }
 
-bool widen(Edit& edit) {
-  return widen_arc(edit, Number::millionths(50'000));
-}
-
-bool narrow(Edit& edit) {
-  return widen_arc(edit, Number::millionths(-50'000));
-}
-
 // Radius values where diameters are due, or the other way round.
 // SIE-LC75-11: before finishing the tool may go on down in what roughing left.
 bool comes_before_finishing(const Specimen& specimen, std::size_t number) {
@@ -181,15 +164,12 @@ bool scale_axis(Edit& edit) {
   return !comes_before_finishing(edit.specimen, *number) && !stops_on_the_way(edit, *number, axis);
 }
 
-bool mirror_axis(Edit& edit) {
-  const auto number = edit.any_motion();
-  if (!number) return false;
+void mirror_axis(Edit& edit, std::size_t number) {
   const Axis axis = edit.chance.one_of(kLinearAxes);
-  Record& record = edit.trace.records[*number];
-  record.to[axis] = -edit.specimen.after[*number][axis];
+  Record& record = edit.trace.records[number];
+  record.to[axis] = -edit.specimen.after[number][axis];
   record.axes.add(axis);
-  edit.lead_next_to_its_end(*number);
-  return true;
+  edit.lead_next_to_its_end(number);
 }
 
 }  // namespace
@@ -198,14 +178,17 @@ std::vector<Operator> shifting_operators() {
   return {
       {"shift-end", "one end lies beside its place", shift_end},
       {"shift-end-for-good", "from one end on an axis is off", shift_end_for_good},
-      {"shift-rotary-end", "one end has a rotary axis elsewhere", shift_rotary_end},
+      {"shift-rotary-end", "one end has a rotary axis elsewhere", to_any_motion(shift_rotary_end)},
       {"shift-rest", "from one motion on all lies beside", shift_rest},
-      {"shift-centre", "an arc has its centre beside", shift_centre},
-      {"shift-via", "a circle in space leads through another point", shift_via},
-      {"widen-arc", "an arc lies 0.05 farther out", widen},
-      {"narrow-arc", "an arc lies 0.05 farther in", narrow},
+      {"shift-centre", "an arc has its centre beside", to_any(RecordKind::arc, shift_centre)},
+      {"shift-via", "a circle in space leads through another point",
+       to_any(RecordKind::arc3, shift_via)},
+      {"widen-arc", "an arc lies 0.05 farther out",
+       [](Edit& edit) { return widen_arc(edit, Number::millionths(50'000)); }},
+      {"narrow-arc", "an arc lies 0.05 farther in",
+       [](Edit& edit) { return widen_arc(edit, Number::millionths(-50'000)); }},
       {"scale-axis", "a radius is taken as a diameter or the other way round", scale_axis},
-      {"mirror-axis", "an end has the other sign", mirror_axis},
+      {"mirror-axis", "an end has the other sign", to_any_motion(mirror_axis)},
   };
 }
 

@@ -178,7 +178,6 @@ RawCases cases_of_corpus(const std::string& folder) {
       if (!expected.not_covered) raw.assignments.push_back(expected.when);
     }
     if (!raw.assignments.empty()) cases[raw.group].push_back(std::move(raw));
-    return true;
   });
   return cases;
 }
@@ -200,7 +199,7 @@ std::unique_ptr<Specimen> make_specimen(const RawCase& raw, const RawCase::Assig
   subject.features = {"blocks", "m"};
   subject.numeric_kind = "exact";
   subject.says_numeric = true;
-  specimen->tolerances = make_tolerances(subject, specimen->profile, std::nullopt, std::nullopt);
+  specimen->tolerances = make_tolerances(subject, specimen->profile);
   specimen->start = place_of(specimen->profile.initial.at);
   if (!take_shown(*specimen, most)) return nullptr;
   find_open_parts(*specimen);

@@ -3,6 +3,7 @@
 // The same path in more motions, or in motions of another form.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "alternative.hpp"
@@ -85,14 +86,6 @@ std::optional<Stroke> stroke_of(const Record& record, const Position& from) {
   return stroke;
 }
 
-// The place of an arc at a part of its way, near enough.
-Position place_on(const Stroke& arc, const Position& to, double part) {
-  const Place place = arc.at(part);
-  Position at = to;
-  for (const Axis axis : reference::kLinearAxes) at[axis] = number_near(place[index(axis)]);
-  return at;
-}
-
 // Short enough for a piece to say whether it is a turn.
 bool has_room(const Stroke& arc, std::int64_t count, double tolerance) {
   const double radius = std::min(arc.from_radius, arc.to_radius);
@@ -106,25 +99,43 @@ bool turns_rotary(const Record& record, const Position& from) {
          (record.axes.has(Axis::c) && record.to[Axis::c] != from[Axis::c]);
 }
 
+// An arc that begins at `from`, with where it leads.
+struct ArcTo {
+  Stroke arc;
+  Position from;
+  Position to;
+};
+
+// The place at a part of its way, near enough; where it leads at the end.
+Position place_at(const ArcTo& way, std::int64_t part, std::int64_t of) {
+  Position at = way.to;
+  if (part == of) return at;
+  const Place place = way.arc.at(static_cast<double>(part) / static_cast<double>(of));
+  for (const Axis axis : reference::kLinearAxes) at[axis] = number_near(place[index(axis)]);
+  return at;
+}
+
+bool replace_arcs(Attempt& attempt,
+                  const std::function<std::vector<Record>(const Record&, const ArcTo&)>& make) {
+  return attempt.replace([&](const Record& record, const Position& from) {
+    if (record.kind != RecordKind::arc || turns_rotary(record, from)) return std::vector<Record>{};
+    return make(record, {*stroke_of(record, from), from, end_of(record, from)});
+  });
+}
+
 bool split_arcs(Attempt& attempt) {
   const std::int64_t count = pieces(attempt);
   const double tolerance = attempt.specimen.tolerance();
-  return attempt.replace([&](const Record& record, const Position& from) {
+  return replace_arcs(attempt, [&](const Record& record, const ArcTo& way) {
     std::vector<Record> made;
-    if (record.kind != RecordKind::arc || turns_rotary(record, from)) return made;
-    const Position to = end_of(record, from);
-    const auto arc = stroke_of(record, from);
-    const auto turns = static_cast<std::int64_t>(std::abs(arc->sweep) / 6) + 1;
-    if (!has_room(*arc, count * turns, tolerance) || turns > 20) return made;
+    const auto turns = static_cast<std::int64_t>(std::abs(way.arc.sweep) / 6) + 1;
+    if (!has_room(way.arc, count * turns, tolerance) || turns > 20) return made;
     for (std::int64_t i = 1; i <= count * turns; ++i) {
       made.push_back(record);
       Record& piece = made.back();
       piece.rot = record.rot < 0 ? -1 : 1;
       piece.axes = record.axes;
-      piece.to =
-          i == count * turns
-              ? to
-              : place_on(*arc, to, static_cast<double>(i) / static_cast<double>(count * turns));
+      piece.to = place_at(way, i, count * turns);
     }
     return made;
   });
@@ -133,39 +144,33 @@ bool split_arcs(Attempt& attempt) {
 // Two halves of each full turn.
 bool circles_in_halves(Attempt& attempt) {
   const double tolerance = attempt.specimen.tolerance();
-  return attempt.replace([&](const Record& record, const Position& from) {
+  return replace_arcs(attempt, [&](const Record& record, const ArcTo& way) {
     std::vector<Record> made;
-    if (record.kind != RecordKind::arc || turns_rotary(record, from)) return made;
-    const Position to = end_of(record, from);
-    const auto arc = stroke_of(record, from);
-    const bool is_circle = std::abs(std::abs(arc->sweep) - 2 * std::numbers::pi) < 1e-9;
-    if (!is_circle || !has_room(*arc, 2, tolerance)) return made;
+    const bool is_circle = std::abs(std::abs(way.arc.sweep) - 2 * std::numbers::pi) < 1e-9;
+    if (!is_circle || !has_room(way.arc, 2, tolerance)) return made;
     made.assign(2, record);
-    made[0].to = place_on(*arc, to, 0.5);
-    made[1].to = to;
+    made[0].to = place_at(way, 1, 2);
+    made[1].to = way.to;
     return made;
   });
 }
 
 bool arcs_through_a_point(Attempt& attempt) {
   const double tolerance = attempt.specimen.tolerance();
-  return attempt.replace([&](const Record& record, const Position& from) {
+  return replace_arcs(attempt, [&](const Record& record, const ArcTo& way) {
     std::vector<Record> made;
-    if (record.kind != RecordKind::arc || turns_rotary(record, from)) return made;
     const Axis depth = axes_of(record.plane).d;
-    const Position to = end_of(record, from);
-    const auto arc = stroke_of(record, from);
-    const bool rises = std::abs(value_of(to[depth] - from[depth])) > 0;
-    const bool grows = std::abs(arc->from_radius - arc->to_radius) > tolerance / 100;
-    if (rises || grows || !has_room(*arc, 8, tolerance)) return made;
+    const bool rises = std::abs(value_of(way.to[depth] - way.from[depth])) > 0;
+    const bool grows = std::abs(way.arc.from_radius - way.arc.to_radius) > tolerance / 100;
+    if (rises || grows || !has_room(way.arc, 8, tolerance)) return made;
     // Not so long that the ends are one point, nor so short that all three lie in line.
-    if (std::abs(arc->sweep) > 5 || std::abs(arc->sweep) < 0.2) return made;
+    if (std::abs(way.arc.sweep) > 5 || std::abs(way.arc.sweep) < 0.2) return made;
     Record circle = record;
     circle.kind = RecordKind::arc3;
     circle.axes = circle.via_axes = {Axis::x, Axis::y, Axis::z};
-    circle.to = to;
-    circle.via = place_on(*arc, to, 0.5);
-    circle.via[depth] = to[depth];
+    circle.to = way.to;
+    circle.via = place_at(way, 1, 2);
+    circle.via[depth] = way.to[depth];
     made.push_back(circle);
     return made;
   });
@@ -177,22 +182,19 @@ bool chords_of_arcs(Attempt& attempt) {
   constexpr double kChord = 0.009;  // a little less than is granted, mm
   attempt.tolerances.chord = Number::millionths(kChordMillionths);
   const double tolerance = attempt.specimen.tolerance();
-  return attempt.replace([&](const Record& record, const Position& from) {
+  return replace_arcs(attempt, [&](const Record& record, const ArcTo& way) {
     std::vector<Record> made;
-    if (record.kind != RecordKind::arc || turns_rotary(record, from)) return made;
-    const Position to = end_of(record, from);
-    const auto arc = stroke_of(record, from);
-    const double radius = std::max(arc->from_radius, arc->to_radius);
-    if (radius < 0.5 || std::abs(arc->sweep) > 60 || !has_room(*arc, 1, tolerance)) return made;
+    const double sweep = std::abs(way.arc.sweep);
+    const double radius = std::max(way.arc.from_radius, way.arc.to_radius);
+    if (radius < 0.5 || sweep > 60 || !has_room(way.arc, 1, tolerance)) return made;
     const double step = 2 * std::acos(1 - kChord / radius);
-    const auto count = static_cast<std::int64_t>(std::ceil(std::abs(arc->sweep) / step));
+    const auto count = static_cast<std::int64_t>(std::ceil(sweep / step));
     if (count > 400) return made;
     for (std::int64_t i = 1; i <= count; ++i) {
       Record chord = record;
       chord.kind = RecordKind::feed;
       chord.rot = 0;
-      chord.to =
-          i == count ? to : place_on(*arc, to, static_cast<double>(i) / static_cast<double>(count));
+      chord.to = place_at(way, i, count);
       made.push_back(chord);
     }
     return made;

@@ -43,25 +43,6 @@ bool leave_out(Edit& edit, Step step) {
   return true;
 }
 
-bool no_entry(Edit& edit) {
-  return leave_out(edit, Step::entry);
-}
-bool no_infeed(Edit& edit) {
-  return leave_out(edit, Step::infeed);
-}
-bool no_helix(Edit& edit) {
-  return leave_out(edit, Step::helix);
-}
-bool no_run_out(Edit& edit) {
-  return leave_out(edit, Step::run_out);
-}
-bool no_way_back(Edit& edit) {
-  return leave_out(edit, Step::back);
-}
-bool no_way_to_safety(Edit& edit) {
-  return leave_out(edit, Step::away);
-}
-
 // A traverse from the centre to the pass radius, without arc or infeed.
 bool straight_in(Edit& edit) {
   const auto number = edit.any([&](std::size_t i) {
@@ -93,13 +74,6 @@ bool run_out_by(Edit& edit, const Number& factor) {
   return true;
 }
 
-bool long_run_out(Edit& edit) {
-  return run_out_by(edit, 3);
-}
-bool run_out_to_the_other_side(Edit& edit) {
-  return run_out_by(edit, -1);
-}
-
 // Away from the thread at its bottom, where J is 0 or has been used up.
 bool run_out_too_many(Edit& edit) {
   const auto number = edit.any([&](std::size_t i) { return step_of(edit, i) == Step::back; });
@@ -112,9 +86,7 @@ bool run_out_too_many(Edit& edit) {
     const Axis axis = second ? axes.q : axes.p;
     aside[axis] += (aside[axis] - words->centre[second ? 1 : 0]) / 4;
   }
-  Record out = edit.motion_to(RecordKind::feed, edit.right(*number).block, aside);
-  out.feed = words->feed;
-  out.feed_mode = words->feed_mode;
+  const Record out = edit.cut_to(*words, edit.right(*number).block, aside);
   Record& up = edit.trace.records[*number];
   up.axes = reference::kEveryAxis;
   up.to = aside;
@@ -157,9 +129,7 @@ bool no_pass(Edit& edit) {
          step_of(edit, end) != Step::infeed && step_of(edit, end) != Step::entry) {
     ++end;
   }
-  const auto first = edit.trace.records.begin();
-  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(begin),
-                           first + static_cast<std::ptrdiff_t>(end));
+  edit.replace(begin, end);
   return true;
 }
 
@@ -261,18 +231,26 @@ bool way_back_swings(Edit& edit) {
 
 std::vector<Operator> thread_operators() {
   return {
-      {"no-entry", "a thread is entered without its arc", no_entry},
-      {"no-infeed", "a pass lacks its infeed", no_infeed},
+      {"no-entry", "a thread is entered without its arc",
+       [](Edit& edit) { return leave_out(edit, Step::entry); }},
+      {"no-infeed", "a pass lacks its infeed",
+       [](Edit& edit) { return leave_out(edit, Step::infeed); }},
       {"straight-in", "a traverse from the centre to the pass radius", straight_in},
-      {"no-helix", "a pass lacks its helix", no_helix},
+      {"no-helix", "a pass lacks its helix",
+       [](Edit& edit) { return leave_out(edit, Step::helix); }},
       {"no-pass", "a pass is missing", no_pass},
-      {"no-run-out", "the run-out is missing", no_run_out},
-      {"long-run-out", "the run-out is three times as long", long_run_out},
-      {"run-out-to-the-other-side", "the run-out leads into the thread", run_out_to_the_other_side},
+      {"no-run-out", "the run-out is missing",
+       [](Edit& edit) { return leave_out(edit, Step::run_out); }},
+      {"long-run-out", "the run-out is three times as long",
+       [](Edit& edit) { return run_out_by(edit, 3); }},
+      {"run-out-to-the-other-side", "the run-out leads into the thread",
+       [](Edit& edit) { return run_out_by(edit, -1); }},
       {"run-out-too-many", "a run-out more", run_out_too_many},
       {"helix-on-the-way-back", "a second thread on the way back", helix_on_the_way_back},
-      {"no-way-back", "the tool leaves the thread across it", no_way_back},
-      {"no-way-to-safety", "the safe position is left out", no_way_to_safety},
+      {"no-way-back", "the tool leaves the thread across it",
+       [](Edit& edit) { return leave_out(edit, Step::back); }},
+      {"no-way-to-safety", "the safe position is left out",
+       [](Edit& edit) { return leave_out(edit, Step::away); }},
       {"entry-from-afar", "the entry ends far out, the infeed begins there", entry_from_afar},
       {"entry-far-round", "the entry goes round most of a large circle", entry_far_round},
       {"away-too-far", "the safe position is far out", away_too_far},

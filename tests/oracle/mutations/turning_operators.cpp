@@ -11,12 +11,9 @@ namespace {
 
 using reference::Position;
 
-bool other_sense(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::arc);
-  if (!number) return false;
-  std::int32_t& rot = edit.trace.records[*number].rot;
+void other_sense(Edit& edit, std::size_t number) {
+  std::int32_t& rot = edit.trace.records[number].rot;
   rot = -rot;
-  return true;
 }
 
 bool all_other_senses(Edit& edit) {
@@ -25,20 +22,14 @@ bool all_other_senses(Edit& edit) {
   return true;
 }
 
-bool turn_more(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::arc);
-  if (!number) return false;
-  std::int32_t& rot = edit.trace.records[*number].rot;
+void turn_more(Edit& edit, std::size_t number) {
+  std::int32_t& rot = edit.trace.records[number].rot;
   rot += rot < 0 ? -1 : 1;
-  return true;
 }
 
-bool turns_without_end(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::arc);
-  if (!number) return false;
-  std::int32_t& rot = edit.trace.records[*number].rot;
+void turns_without_end(Edit& edit, std::size_t number) {
+  std::int32_t& rot = edit.trace.records[number].rot;
   rot += rot < 0 ? -1'000'000'000 : 1'000'000'000;
-  return true;
 }
 
 bool turn_less(Edit& edit) {
@@ -79,14 +70,6 @@ bool move_end_along(Edit& edit, bool ahead, std::int32_t more_turns) {
 }
 
 // The classic slip: a circle whose end is not the start to the last bit is no circle.
-bool ends_just_ahead(Edit& edit) {
-  return move_end_along(edit, true, 0);
-}
-
-bool turn_more_ends_just_short(Edit& edit) {
-  return move_end_along(edit, false, 1);
-}
-
 // Turns with those of an arc, or against them, before or after it.
 bool ring(Edit& edit, std::int32_t turns) {
   const auto number = edit.any([&](std::size_t i) {
@@ -100,18 +83,6 @@ bool ring(Edit& edit, std::int32_t turns) {
   full.rot = (full.rot < 0 ? -1 : 1) * turns;
   edit.insert(*number + (after ? 1 : 0), full);
   return true;
-}
-
-bool ring_with(Edit& edit) {
-  return ring(edit, 1);
-}
-
-bool ring_against(Edit& edit) {
-  return ring(edit, -1);
-}
-
-bool twenty_against(Edit& edit) {
-  return ring(edit, -20);
 }
 
 // A ring in the middle of a helix, at half its height; or where a traverse leads up.
@@ -144,36 +115,39 @@ bool ring_at_half_height(Edit& edit) {
 }
 
 // The other of the two arcs between its ends.
-bool long_way_round(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::arc);
-  if (!number) return false;
-  Record& arc = edit.trace.records[*number];
+void long_way_round(Edit& edit, std::size_t number) {
+  Record& arc = edit.trace.records[number];
   const reference::PlaneAxes axes = axes_of(arc.plane);
-  const Position& from = edit.specimen.before[*number];
-  const Position& to = edit.specimen.after[*number];
+  const Position& from = edit.specimen.before[number];
+  const Position& to = edit.specimen.after[number];
   // The centre on the other side of the chord.
   arc.centre[0] = from[axes.p] + to[axes.p] - arc.centre[0];
   arc.centre[1] = from[axes.q] + to[axes.q] - arc.centre[1];
-  return true;
 }
 
 }  // namespace
 
 std::vector<Operator> turning_operators() {
   return {
-      {"other-sense", "an arc turns the other way", other_sense},
+      {"other-sense", "an arc turns the other way", to_any(RecordKind::arc, other_sense)},
       {"all-other-senses", "all arcs turn the other way", all_other_senses},
-      {"turn-more", "an arc has a turn more", turn_more},
-      {"turns-without-end", "an arc has a thousand million turns more", turns_without_end},
+      {"turn-more", "an arc has a turn more", to_any(RecordKind::arc, turn_more)},
+      {"turns-without-end", "an arc has a thousand million turns more",
+       to_any(RecordKind::arc, turns_without_end)},
       {"turn-less", "an arc has a turn less", turn_less},
-      {"ends-just-ahead", "a circle ends half a tolerance past its start", ends_just_ahead},
+      {"ends-just-ahead", "a circle ends half a tolerance past its start",
+       [](Edit& edit) { return move_end_along(edit, true, 0); }},
       {"turn-more-just-short", "a circle has a turn more, but for half a tolerance",
-       turn_more_ends_just_short},
-      {"ring-with", "a full ring more, in the sense of the arc", ring_with},
-      {"ring-against", "a full ring more, against the arc", ring_against},
-      {"twenty-against", "twenty turns against the arc", twenty_against},
+       [](Edit& edit) { return move_end_along(edit, false, 1); }},
+      {"ring-with", "a full ring more, in the sense of the arc",
+       [](Edit& edit) { return ring(edit, 1); }},
+      {"ring-against", "a full ring more, against the arc",
+       [](Edit& edit) { return ring(edit, -1); }},
+      {"twenty-against", "twenty turns against the arc",
+       [](Edit& edit) { return ring(edit, -20); }},
       {"ring-at-half-height", "a full ring on the way up", ring_at_half_height},
-      {"other-side", "an arc about a centre on the other side of its chord", long_way_round},
+      {"other-side", "an arc about a centre on the other side of its chord",
+       to_any(RecordKind::arc, long_way_round)},
   };
 }
 

@@ -13,15 +13,12 @@ std::optional<std::size_t> any_cut(Edit& edit) {
   });
 }
 
-bool traverse_as_cut(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::rapid);
-  if (!number) return false;
-  const auto words = edit.cutting_words(*number);
-  Record& record = edit.trace.records[*number];
+void traverse_as_cut(Edit& edit, std::size_t number) {
+  const auto words = edit.cutting_words(number);
+  Record& record = edit.trace.records[number];
   record.kind = RecordKind::feed;
   record.feed = words ? words->feed : Number(100);
   if (words) record.feed_mode = words->feed_mode;
-  return true;
 }
 
 bool cut_as_traverse(Edit& edit) {
@@ -34,31 +31,12 @@ bool cut_as_traverse(Edit& edit) {
   return true;
 }
 
-bool arc_as_line(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::arc);
-  if (!number) return false;
-  edit.trace.records[*number].kind = RecordKind::feed;
-  return true;
-}
-
 bool change_feed(Edit& edit, const Number& factor, const Number& more) {
   const auto number = any_cut(edit);
   if (!number) return false;
   Number& feed = edit.trace.records[*number].feed;
   feed = feed * factor + more;
   return true;
-}
-
-bool double_feed(Edit& edit) {
-  return change_feed(edit, 2, 0);
-}
-
-bool faster_by_one(Edit& edit) {
-  return change_feed(edit, 1, 1);
-}
-
-bool slightly_faster(Edit& edit) {
-  return change_feed(edit, 1, Number::millionths(10));
 }
 
 bool other_feed_mode(Edit& edit) {
@@ -70,18 +48,12 @@ bool other_feed_mode(Edit& edit) {
   return true;
 }
 
-bool other_lead(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::thread);
-  if (!number) return false;
-  edit.trace.records[*number].lead += Number::millionths(100'000);
-  return true;
+void other_lead(Edit& edit, std::size_t number) {
+  edit.trace.records[number].lead += Number::millionths(100'000);
 }
 
-bool other_start_angle(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::thread);
-  if (!number) return false;
-  edit.trace.records[*number].start += edit.chance.once_in(2) ? Number(90) : Number(1);
-  return true;
+void other_start_angle(Edit& edit, std::size_t number) {
+  edit.trace.records[number].start += edit.chance.once_in(2) ? Number(90) : Number(1);
 }
 
 // In two pieces, the second of which engages at another angle.
@@ -90,8 +62,7 @@ bool second_piece_elsewhere(Edit& edit) {
   if (!number || edit.size_of(*number) < 0.1) return false;
   Record first = edit.right(*number);
   for (const reference::Axis axis : reference::kAllAxes) {
-    first.to[axis] =
-        (edit.specimen.before[*number][axis] + edit.specimen.after[*number][axis]) / 2;
+    first.to[axis] = (edit.specimen.before[*number][axis] + edit.specimen.after[*number][axis]) / 2;
   }
   first.axes = reference::kEveryAxis;
   edit.trace.records[*number].start += edit.chance.once_in(2) ? Number(77) : Number(1);
@@ -99,14 +70,11 @@ bool second_piece_elsewhere(Edit& edit) {
   return true;
 }
 
-bool thread_as_cut(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::thread);
-  if (!number) return false;
-  Record& record = edit.trace.records[*number];
+void thread_as_cut(Edit& edit, std::size_t number) {
+  Record& record = edit.trace.records[number];
   record.kind = RecordKind::feed;
   record.feed = record.lead;
   record.feed_mode = reference::FeedMode::per_revolution;
-  return true;
 }
 
 bool other_block(Edit& edit) {
@@ -128,45 +96,47 @@ bool all_blocks_later(Edit& edit) {
 }
 
 // The same numbers in another plane: the pair and the sense mean something else.
-bool other_plane(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::arc);
-  if (!number) return false;
-  Record& record = edit.trace.records[*number];
+void other_plane(Edit& edit, std::size_t number) {
+  Record& record = edit.trace.records[number];
   const std::size_t next = (static_cast<std::size_t>(record.plane) + 1 + edit.chance.below(2)) % 3;
   record.plane = static_cast<reference::Plane>(next);
   record.axes = reference::kEveryAxis;
-  record.to = edit.specimen.after[*number];
-  return true;
+  record.to = edit.specimen.after[number];
 }
 
-bool swap_centre(Edit& edit) {
-  const auto number = edit.any_of_kind(RecordKind::arc);
-  if (!number) return false;
-  Record& record = edit.trace.records[*number];
+void swap_centre(Edit& edit, std::size_t number) {
+  Record& record = edit.trace.records[number];
   std::swap(record.centre[0], record.centre[1]);
-  return true;
 }
 
 }  // namespace
 
 std::vector<Operator> word_operators() {
   return {
-      {"traverse-as-cut", "a traverse cuts", traverse_as_cut},
+      {"traverse-as-cut", "a traverse cuts", to_any(RecordKind::rapid, traverse_as_cut)},
       {"cut-as-traverse", "a cut is a traverse", cut_as_traverse},
-      {"arc-as-line", "an arc is its chord", arc_as_line},
-      {"double-feed", "a feed is twice as fast", double_feed},
-      {"faster-by-one", "a feed is faster by 1", faster_by_one},
-      {"slightly-faster", "a feed is faster by 0.00001", slightly_faster},
+      {"arc-as-line", "an arc is its chord",
+       to_any(RecordKind::arc,
+              [](Edit& edit, std::size_t i) { edit.trace.records[i].kind = RecordKind::feed; })},
+      {"double-feed", "a feed is twice as fast",
+       [](Edit& edit) { return change_feed(edit, 2, 0); }},
+      {"faster-by-one", "a feed is faster by 1",
+       [](Edit& edit) { return change_feed(edit, 1, 1); }},
+      {"slightly-faster", "a feed is faster by 0.00001",
+       [](Edit& edit) { return change_feed(edit, 1, Number::millionths(10)); }},
       {"other-feed-mode", "a feed a minute is one a revolution", other_feed_mode},
-      {"other-lead", "a thread has another lead", other_lead},
-      {"other-start-angle", "a thread begins at another spindle angle", other_start_angle},
+      {"other-lead", "a thread has another lead", to_any(RecordKind::thread, other_lead)},
+      {"other-start-angle", "a thread begins at another spindle angle",
+       to_any(RecordKind::thread, other_start_angle)},
       {"second-piece-elsewhere", "a thread goes on at another spindle angle",
        second_piece_elsewhere},
-      {"thread-as-cut", "a thread is cut without the spindle", thread_as_cut},
+      {"thread-as-cut", "a thread is cut without the spindle",
+       to_any(RecordKind::thread, thread_as_cut)},
       {"other-block", "a motion claims another block", other_block},
       {"all-blocks-later", "all claim the next block", all_blocks_later},
-      {"other-plane", "an arc turns in another plane", other_plane},
-      {"swap-centre", "the coordinates of a centre change places", swap_centre},
+      {"other-plane", "an arc turns in another plane", to_any(RecordKind::arc, other_plane)},
+      {"swap-centre", "the coordinates of a centre change places",
+       to_any(RecordKind::arc, swap_centre)},
   };
 }
 

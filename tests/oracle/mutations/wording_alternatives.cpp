@@ -20,6 +20,16 @@ void each_length(Record& record, const std::function<Number(const Number&)>& cha
   for (Number& coordinate : record.centre) coordinate = change(coordinate);
 }
 
+bool change_numbers(Attempt& attempt, const std::function<Number(const Number&)>& change) {
+  for (Record& record : attempt.trace.records) {
+    each_length(record, change);
+    for (Number* number : {&record.feed, &record.lead, &record.start, &record.seconds}) {
+      *number = change(*number);
+    }
+  }
+  return true;
+}
+
 // A number that is given in steps, the nearest.
 Number rounded(const Number& value, const Number& step) {
   return Number(static_cast<std::int64_t>(std::llround(value_of(value / step)))) * step;
@@ -53,14 +63,7 @@ Number as_double(const Number& value) {
 
 bool as_doubles(Attempt& attempt) {
   attempt.tolerances.binary64 = true;
-  for (Record& record : attempt.trace.records) {
-    each_length(record, as_double);
-    record.feed = as_double(record.feed);
-    record.lead = as_double(record.lead);
-    record.start = as_double(record.start);
-    record.seconds = as_double(record.seconds);
-  }
-  return true;
+  return change_numbers(attempt, as_double);
 }
 
 // All that a subject that computes with intervals can say: a number somewhere in 4e-16 about it.
@@ -71,14 +74,7 @@ Number as_enclosure(const Number& value) {
 }
 
 bool as_enclosures(Attempt& attempt) {
-  for (Record& record : attempt.trace.records) {
-    each_length(record, as_enclosure);
-    record.feed = as_enclosure(record.feed);
-    record.lead = as_enclosure(record.lead);
-    record.start = as_enclosure(record.start);
-    record.seconds = as_enclosure(record.seconds);
-  }
-  return true;
+  return change_numbers(attempt, as_enclosure);
 }
 
 bool rounded_feeds(Attempt& attempt) {
@@ -119,7 +115,8 @@ bool only_moved_axes_named(Attempt& attempt) {
     for (const Axis axis : reference::kAllAxes) {
       const bool in_plane =
           record.kind == RecordKind::arc && axis != axes_of(record.plane).d && is_linear(axis);
-      if (in_plane || (record.axes.has(axis) && !surely_equal(record.to[axis], from[axis]))) named.add(axis);
+      if (in_plane || (record.axes.has(axis) && !surely_equal(record.to[axis], from[axis])))
+        named.add(axis);
     }
     if (named.empty()) named.add(Axis::x);
     for (const Axis axis : reference::kAllAxes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Expectations that re-check the evidence of every verdict.
+// Expectations that re-check the evidence of every verdict, on a level of either kind of pocket
+// (Job, Pocket).
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +10,8 @@
 
 namespace gonogo::oracle::region {
 
-inline testing::AssertionResult is_go(const Job& job, const LevelVerdict& verdict) {
+template <typename Judged>
+testing::AssertionResult is_go(const Judged& job, const LevelVerdict& verdict) {
   if (verdict.kind == LevelVerdict::Kind::gap) return testing::AssertionFailure() << verdict.gap;
   if (verdict.kind == LevelVerdict::Kind::no_go) {
     return testing::AssertionFailure() << "rule " << static_cast<int>(verdict.finding->rule)
@@ -23,7 +25,8 @@ inline testing::AssertionResult is_go(const Job& job, const LevelVerdict& verdic
   return testing::AssertionSuccess();
 }
 
-inline testing::AssertionResult breaks(Rule rule, const Job& job, const LevelVerdict& verdict) {
+template <typename Judged>
+testing::AssertionResult breaks(Rule rule, const Judged& job, const LevelVerdict& verdict) {
   if (verdict.kind == LevelVerdict::Kind::gap) return testing::AssertionFailure() << verdict.gap;
   if (verdict.kind == LevelVerdict::Kind::go) return testing::AssertionFailure() << "go";
   if (verdict.finding->rule != rule) {
@@ -34,10 +37,12 @@ inline testing::AssertionResult breaks(Rule rule, const Job& job, const LevelVer
   return testing::AssertionSuccess();
 }
 
-inline testing::AssertionResult is_go(const Job& job) {
+template <typename Judged>
+testing::AssertionResult is_go(const Judged& job) {
   return is_go(job, judge(job));
 }
-inline testing::AssertionResult breaks(Rule rule, const Job& job) {
+template <typename Judged>
+testing::AssertionResult breaks(Rule rule, const Judged& job) {
   return breaks(rule, job, judge(job));
 }
 

@@ -147,29 +147,4 @@ std::string flaw_of_go(const Pocket& pocket) {
   return {};
 }
 
-testing::AssertionResult is_go(const Pocket& pocket, const LevelVerdict& verdict) {
-  if (verdict.kind == LevelVerdict::Kind::gap) return testing::AssertionFailure() << verdict.gap;
-  if (verdict.kind == LevelVerdict::Kind::no_go) {
-    return testing::AssertionFailure() << "rule " << static_cast<int>(verdict.finding->rule)
-                                       << " by " << verdict.finding->deviation.decimal_text(12)
-                                       << " at " << verdict.finding->witness.p.decimal_text(9)
-                                       << ", " << verdict.finding->witness.q.decimal_text(9) << " "
-                                       << flaw_of_finding(pocket, *verdict.finding);
-  }
-  const std::string flaw = flaw_of_go(pocket);
-  if (!flaw.empty()) return testing::AssertionFailure() << flaw;
-  return testing::AssertionSuccess();
-}
-
-testing::AssertionResult breaks(Rule rule, const Pocket& pocket, const LevelVerdict& verdict) {
-  if (verdict.kind == LevelVerdict::Kind::gap) return testing::AssertionFailure() << verdict.gap;
-  if (verdict.kind == LevelVerdict::Kind::go) return testing::AssertionFailure() << "go";
-  if (verdict.finding->rule != rule) {
-    return testing::AssertionFailure() << "rule " << static_cast<int>(verdict.finding->rule);
-  }
-  const std::string flaw = flaw_of_finding(pocket, *verdict.finding);
-  if (!flaw.empty()) return testing::AssertionFailure() << flaw;
-  return testing::AssertionSuccess();
-}
-
 }  // namespace gonogo::oracle::region

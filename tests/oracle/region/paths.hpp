@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/region/judge.hpp"
+#include "oracle/region/rules.hpp"
 
 namespace gonogo::oracle::region {
 

@@ -3,10 +3,8 @@
 // Expectations for pockets with rounded corners that re-check the evidence of every verdict.
 #pragma once
 
-#include <gtest/gtest.h>
-
+#include "tests/oracle/region/expectations.hpp"
 #include "tests/oracle/region/naive.hpp"
-#include "tests/oracle/region/paths.hpp"
 #include "tests/oracle/region/pockets.hpp"
 
 namespace gonogo::oracle::region {
@@ -20,16 +18,6 @@ Number exact_distance(const Pocket& pocket, const PlanePoint& point);
 std::string flaw_of_finding(const Pocket& pocket, const Finding& finding);
 // A place that a GO leaves uncovered by more than 1e-6, sampled densely in doubles; empty: none.
 std::string flaw_of_go(const Pocket& pocket);
-
-testing::AssertionResult is_go(const Pocket& pocket, const LevelVerdict& verdict);
-testing::AssertionResult breaks(Rule rule, const Pocket& pocket, const LevelVerdict& verdict);
-
-inline testing::AssertionResult is_go(const Pocket& pocket) {
-  return is_go(pocket, judge(pocket));
-}
-inline testing::AssertionResult breaks(Rule rule, const Pocket& pocket) {
-  return breaks(rule, pocket, judge(pocket));
-}
 
 // Only the border, with a tool of 5, plunged on one of its long sides: they are 10 less than the
 // pocket's width apart, and reach 5.001 each.

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/region/judge.hpp"
 #include "oracle/region/rectangle.hpp"
+#include "oracle/region/rules.hpp"
 
 namespace gonogo::oracle::region {
 

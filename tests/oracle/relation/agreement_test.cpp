@@ -66,14 +66,18 @@ std::string arc_to(double angle, int rot) {
 const std::string kBorder = cut(7, 0) + arc(7, 0, -1);
 const std::string kHome = cut(0, 0);
 
-std::string milled(std::string_view steps, std::string_view words = kRoughing,
-                   const Declared& declared = kLcyc75) {
+// The steps begin at R101, and at R103 + R102.
+std::string milled_from_r101(std::string_view steps, std::string_view words,
+                             const Declared& declared = kLcyc75) {
   const std::string trace = R"({"k":"m","b":1,"m":3}
 {"k":"rapid","b":1,"to":{"x":"8","y":"5","z":"14"}}
 {"k":"rapid","b":5,"to":{"x":"0","y":"0","z":"10"}}
-{"k":"rapid","b":5,"to":{"z":"2"}}
 )" + std::string(steps) + rapid(R"("z":"10")");
   return both(program_of(words), trace, declared);
+}
+std::string milled(std::string_view steps, std::string_view words = kRoughing,
+                   const Declared& declared = kLcyc75) {
+  return milled_from_r101(rapid(R"("z":"2")") + std::string(steps), words, declared);
 }
 
 // J-PKT-06: a quarter of the tool's radius is 1.25. Back by 0.17 rad is 1.19, by 0.19 rad 1.33.
@@ -140,6 +144,25 @@ TEST(Agreement, ALevelAndRoughingClearAWayTogether) {
                        rapid(R"("x":"0","y":"0")") + down_to("-8") + kBorder + kHome,
                    kTwoLevels),
             "GO");
+}
+
+// SIE-LC75-13, SIE-LC75-04: the way from R101 down to R103 + R102 is printed of roughing alone.
+TEST(Agreement, OfFinishingTheWayDownFromR101IsFree) {
+  constexpr std::string_view kTwoLevels = "R104=-8 R121=4 R124=1 R125=0 R127=2";
+  const std::string rest = kBorder + rapid(R"("x":"0","y":"0")") + down_to("-8") + kBorder + kHome;
+  const std::string beside = rapid(R"("x":"5.9")");
+  EXPECT_EQ(milled_from_r101(beside + rapid(R"("z":"-4")") + rest, kTwoLevels), "GO");
+  EXPECT_EQ(milled_from_r101(line("feed", R"("z":"-4")", "500") + rest, kTwoLevels), "GO");
+  // Through the wall, and above R101.
+  EXPECT_EQ(
+      milled_from_r101(rapid(R"("x":"7.9")") + beside + rapid(R"("z":"-4")") + rest, kTwoLevels),
+      "NO-GO");
+  EXPECT_EQ(milled_from_r101(rapid(R"("z":"11")") + rapid(R"("z":"-4")") + rest, kTwoLevels),
+            "NO-GO");
+  const std::string roughed = down_to("-3") + kBorder + kHome;
+  EXPECT_EQ(
+      milled_from_r101(beside + rapid(R"("x":"0")") + rapid(R"("z":"2")") + roughed, kRoughing),
+      "NO-GO");
 }
 
 // SIE-LC75-13: it ends above the centre at R101.

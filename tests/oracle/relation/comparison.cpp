@@ -110,7 +110,7 @@ oracle::Tolerances tolerances_for(const reference::Profile& profile, bool blocks
   oracle::SubjectInfo subject;
   if (blocks) subject.features.insert("blocks");
   if (m) subject.features.insert("m");
-  return make_tolerances(subject, profile, std::nullopt, std::nullopt);
+  return make_tolerances(subject, profile);
 }
 
 }  // namespace gonogo::relation

@@ -31,17 +31,22 @@ constexpr std::size_t kRoundCases = 48;
 // many, and in none with curves.
 constexpr std::size_t kOpenCases = 16;
 
+const exact::Number kLeastRing = exact::Number(1) / 100;  // mm
+
 bool is_round(const Record& record) {
   return record.kind == RecordKind::arc || record.kind == RecordKind::arc3;
 }
 
-// A pocket of inches takes the definition hours, and so do a hundred thousand turns.
+// A pocket of inches takes the definition hours, and so do a hundred thousand turns. A ring of an
+// increment takes it minutes: the tool covers all of the level from each place of the ring.
 bool is_long(const Record& record) {
   constexpr std::int32_t kMostTurns = 20;
   if (record.kind != RecordKind::arc) return false;
   const auto axes = reference::axes_of(record.plane);
-  const exact::Number across = record.to[axes.p] - record.centre[0];
-  return across > 100 || across < -100 || record.rot > kMostTurns || record.rot < -kMostTurns;
+  const exact::Number p = abs(record.to[axes.p] - record.centre[0]);
+  const exact::Number q = abs(record.to[axes.q] - record.centre[1]);
+  const bool is_point = p < kLeastRing && q < kLeastRing;
+  return p > 100 || is_point || record.rot > kMostTurns || record.rot < -kMostTurns;
 }
 
 std::vector<Specimen> specimens() {
@@ -69,7 +74,6 @@ std::vector<Specimen> specimens() {
           }
           all.push_back(std::move(specimen));
         }
-        return true;
       });
   return all;
 }

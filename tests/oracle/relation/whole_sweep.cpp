@@ -86,7 +86,7 @@ const oracle::Corpus& corpus() {
 template <typename Visit>
 void each_expectation(const Visit& visit) {
   corpus().for_each([&](const oracle::Case& test) {
-    if (!is_wanted(test.id)) return true;
+    if (!is_wanted(test.id)) return;
     for (const oracle::Expectation& expected : test.expect) {
       if (expected.not_covered || !is_short(expected.records, test.profile)) continue;
       reference::Profile profile = test.profile;
@@ -99,7 +99,6 @@ void each_expectation(const Visit& visit) {
       }
       visit(test, profile, expected.records, end);
     }
-    return true;
   });
 }
 
@@ -180,8 +179,7 @@ void try_fault(const gonogo_subject_v1& table, std::string_view fault, const ora
     return records.size() < kMostRecords;
   });
   if (!is_answer(end) || !is_short(records, test.profile)) return;
-  const oracle::Tolerances tolerances =
-      make_tolerances(subject->info(), test.profile, std::nullopt, std::nullopt);
+  const oracle::Tolerances tolerances = make_tolerances(subject->info(), test.profile);
   comparison.compare({test.id, test.program, test.profile, tolerances}, fault, records, end);
   print_now_and_then(comparison);
 }
@@ -196,12 +194,10 @@ TEST(WholeSweep, PlantedFaults) {
   Chance chance(trial_seed());
   while (comparison.traces() < wanted) {
     corpus().for_each([&](const oracle::Case& test) {
-      if (comparison.traces() >= wanted) return false;
-      if (!is_wanted(test.id)) return true;
+      if (comparison.traces() >= wanted || !is_wanted(test.id)) return;
       const std::string_view name = expander_of(test.dialect);
       const std::string_view fault = chance.one_of(expanders::faults(name)).name;
       try_fault(*expanders::find(name, fault), fault, test, comparison);
-      return true;
     });
   }
   comparison.print();

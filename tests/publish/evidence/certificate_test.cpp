@@ -12,7 +12,6 @@
 #include "publish/evidence/certificate_files.hpp"
 #include "publish/evidence/rejudge.hpp"
 #include "publish/evidence/verify.hpp"
-#include "publish/evidence/verify_header.hpp"
 #include "tests/publish/evidence/results_files.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -260,24 +259,30 @@ TEST_F(Certificate, AKnownFailureThatPassesIsDerivedFromItsLine) {
   EXPECT_FALSE(rejudge(Json::parse(line("xpass", "31")), run).judged);
 }
 
-// J-RUN-13: what the header says and its command line does, by value.
-TEST(HeaderFaults, AreOfValuesAndNotOfTheirSpelling) {
-  const auto faults = [](const std::string& told, const std::string& words) {
-    return header_faults(
-        Json::parse("{" + told + R"("shard":"1/1","argv":["certify",)" + words + "]}"));
+TEST_F(Certificate, FreshProgramsThatTheCommandLineDoesNotAskForAreFound) {
+  const auto faults_with = [&](const std::string& words) {
+    std::string text = results_text({kG94Pass});
+    const auto put = [&](const std::string& from, const std::string& to) {
+      text.replace(text.find(from), from.size(), to);
+    };
+    put(R"("argv":["certify",)", R"("argv":["certify",)" + words);
+    text.insert(text.rfind(R"("sha256")"),
+                R"("fresh":{"gsk988ta":{"wanted":1,"programs":1,"judged":1}},)");
+    EXPECT_FALSE(write(text));
+    return faults();
   };
-  EXPECT_TRUE(faults(R"("strict":true,)", R"("--strict=true")").empty());
-  EXPECT_TRUE(faults(R"("strict":true,)", R"("--strict=no","--strict")").empty());
-  EXPECT_TRUE(faults("", R"("--strict=false")").empty());
-  EXPECT_EQ(faults(R"("strict":true,)", R"("--strict=0")").size(), 1U);
-  EXPECT_EQ(faults("", R"("--strict=on")").size(), 1U);
-  EXPECT_TRUE(faults(R"("seed":7,)", R"("--seed","007")").empty());
-  EXPECT_EQ(faults(R"("seed":8,)", R"("--seed","007")").size(), 1U);
-  EXPECT_TRUE(faults(R"("feed_tolerance":"5",)", R"("--feed-tolerance","5.0")").empty());
-  EXPECT_EQ(faults("", R"("--feed-tolerance","300")").size(), 1U);
-  EXPECT_EQ(faults(R"("feed_tolerance":"5",)", R"("--fail-fast")").size(), 1U);
-  EXPECT_TRUE(faults(R"("show_ids":true,)", R"("--show-ids")").empty());
-  EXPECT_EQ(faults("", R"("--show-ids")").size(), 1U);
+  EXPECT_EQ(faults_with(""), "");
+  EXPECT_EQ(faults_with(R"("--fresh","1",)"), "");
+  const std::string none = "of gsk988ta, 1 of them judged, but 0 are due.";
+  EXPECT_NE(faults_with(R"("--fresh","0",)").find(none), std::string::npos);
+  EXPECT_NE(faults_with(R"("--fail-fast",)").find(none), std::string::npos);
+}
+
+TEST_F(Certificate, AKeyThatNoFooterHasIsFound) {
+  std::string text = results_text({kG94Pass});
+  text.insert(text.rfind(R"("sha256")"), R"("remark":"all was well",)");
+  ASSERT_FALSE(write(text));
+  EXPECT_EQ(faults(), "A footer has no /remark.\n");
 }
 
 TEST_F(Certificate, StatesWhatWasToldAndGrantedBesides) {

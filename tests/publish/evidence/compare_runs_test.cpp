@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "publish/evidence/compare_runs.hpp"
+#include "publish/evidence/compare.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ std::string run_line(const std::string& id, const std::string& verdict,
 
 class CompareRuns : public testing::Test {
  protected:
-  RunsComparison compare(const std::vector<std::vector<std::string>>& runs) {
+  Comparison compare(const std::vector<std::vector<std::string>>& runs) {
     std::vector<std::string> paths;
     for (const auto& cases : runs) {
       paths.push_back(scratch_.write("run-" + std::to_string(paths.size()), results_text(cases)));
@@ -27,7 +27,7 @@ class CompareRuns : public testing::Test {
 };
 
 TEST_F(CompareRuns, LastRunIsHeldAgainstAllBefore) {
-  const RunsComparison comparison = compare(
+  const Comparison comparison = compare(
       {{run_line("a", "pass-exact"), run_line("b", "fail.order"), run_line("c", "fail.order"),
         run_line("d", "pass-exact"), run_line("e", "pass-exact")},
        {run_line("a", "skip"), run_line("b", "skip"), run_line("c", "fail.order"),
@@ -45,38 +45,15 @@ TEST_F(CompareRuns, LastRunIsHeldAgainstAllBefore) {
 }
 
 TEST_F(CompareRuns, CaseOfSomeRunsIsNewGoneOrCompared) {
-  const RunsComparison comparison =
+  const Comparison comparison =
       compare({{run_line("a", "pass-exact"), run_line("b", "pass-exact")},
                {run_line("a", "pass-exact"), run_line("c", "pass-exact")},
                {run_line("b", "fail.order"), run_line("c", "pass-exact"), run_line("d", "crash")}});
-  EXPECT_EQ(comparison.first_added, std::vector<std::string>{"d"});
-  EXPECT_EQ(comparison.first_gone, std::vector<std::string>{"a"});
+  EXPECT_EQ(comparison.added.first, std::vector<std::string>{"d"});
+  EXPECT_EQ(comparison.gone.first, std::vector<std::string>{"a"});
   ASSERT_EQ(comparison.count(Change::regression), 1U);
   EXPECT_TRUE(comparison.changed[0].runs[1].is_null());
   EXPECT_EQ(comparison.same, 1U);
-}
-
-// It says of two runs what the comparison of two says.
-TEST_F(CompareRuns, TwoRunsAreComparedAsCompareResultsDoes) {
-  const std::vector<std::string> verdicts = {"pass-exact", "pass-rounded", "skip",      "advice",
-                                             "fail.order", "crash",        "oracle-gap"};
-  std::vector<std::string> before;
-  std::vector<std::string> after;
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    for (std::size_t k = 0; k < verdicts.size(); ++k) {
-      const std::string id = std::to_string(i) + std::to_string(k);
-      before.push_back(run_line(id, verdicts[i]));
-      after.push_back(run_line(id, verdicts[k], (i + k) % 2 == 0 ? R"(,"b":4)" : ""));
-    }
-  }
-  const RunsComparison many = compare({before, after});
-  const Comparison two = compare_results(many.paths[0], many.paths[1]);
-  ASSERT_EQ(many.changed.size(), two.changed.size());
-  for (std::size_t i = 0; i < two.changed.size(); ++i) {
-    EXPECT_EQ(many.changed[i].id, two.changed[i].id);
-    EXPECT_EQ(many.changed[i].change, two.changed[i].change) << two.changed[i].id;
-  }
-  EXPECT_EQ(many.same, two.same);
 }
 
 // J-RUN-16.
@@ -92,18 +69,17 @@ TEST_F(CompareRuns, KnownFailureIsARegressionWhereItFailsOtherwise) {
 }
 
 TEST_F(CompareRuns, TextsHaveARowOfVerdictsForEachCase) {
-  const RunsComparison comparison =
-      compare({{run_line("a", "pass-exact"), run_line("b", "pass-exact")},
-               {run_line("a", "skip"), run_line("b", "pass-exact")},
-               {run_line("a", "crash"), run_line("b", "pass-exact")}});
-  const std::string text = runs_comparison_text(comparison, CompareFormat::text);
+  const Comparison comparison = compare({{run_line("a", "pass-exact"), run_line("b", "pass-exact")},
+                                         {run_line("a", "skip"), run_line("b", "pass-exact")},
+                                         {run_line("a", "crash"), run_line("b", "pass-exact")}});
+  const std::string text = comparison_text(comparison, CompareFormat::text);
   EXPECT_NE(text.find("  a\n    1 pass-exact\n    2 skip\n    3 crash\n"), std::string::npos)
       << text;
   EXPECT_NE(text.find("regressions         1"), std::string::npos) << text;
-  const Json json = Json::parse(runs_comparison_text(comparison, CompareFormat::json));
+  const Json json = Json::parse(comparison_text(comparison, CompareFormat::json));
   EXPECT_EQ(json["regressions"][0]["runs"][1]["verdict"], "skip");
   EXPECT_EQ(json["counts"]["same"], 1);
-  const std::string markdown = runs_comparison_text(comparison, CompareFormat::markdown);
+  const std::string markdown = comparison_text(comparison, CompareFormat::markdown);
   EXPECT_TRUE(markdown.starts_with("# Regressions: 1"));
   EXPECT_NE(markdown.find("| a | pass-exact | skip | crash |"), std::string::npos) << markdown;
 }

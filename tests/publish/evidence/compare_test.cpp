@@ -20,8 +20,8 @@ class Compare : public testing::Test {
  protected:
   Comparison compare(const std::vector<std::string>& before,
                      const std::vector<std::string>& after) {
-    return compare_results(scratch_.write("old", results_text(before)),
-                           scratch_.write("new", results_text(after)));
+    return compare_runs(
+        {scratch_.write("old", results_text(before)), scratch_.write("new", results_text(after))});
   }
   Scratch scratch_;
 };
@@ -38,8 +38,8 @@ TEST_F(Compare, GoThatIsNoGoNowIsARegression) {
   const Comparison comparison = compare({line("a", "pass-exact"), line("b", "skip")},
                                         {line("a", "fail.order"), line("b", "crash")});
   EXPECT_EQ(comparison.count(Change::regression), 1U);  // a skip was no GO
-  EXPECT_EQ(comparison.changed[0].before["verdict"], "pass-exact");
-  EXPECT_EQ(comparison.changed[0].after["verdict"], "fail.order");
+  EXPECT_EQ(comparison.changed[0].runs[0]["verdict"], "pass-exact");
+  EXPECT_EQ(comparison.changed[0].runs[1]["verdict"], "fail.order");
 }
 
 TEST_F(Compare, NoGoThatIsGoNowIsMended) {
@@ -99,8 +99,8 @@ TEST_F(Compare, CasesOfOneRunOnlyAreNewOrGone) {
   const Comparison comparison =
       compare({line("a", "pass-exact"), line("c", "pass-exact"), line("d", "pass-exact")},
               {line("b", "crash"), line("c", "pass-exact"), line("e", "crash")});
-  EXPECT_EQ(comparison.first_added, (std::vector<std::string>{"b", "e"}));
-  EXPECT_EQ(comparison.first_gone, (std::vector<std::string>{"a", "d"}));
+  EXPECT_EQ(comparison.added.first, (std::vector<std::string>{"b", "e"}));
+  EXPECT_EQ(comparison.gone.first, (std::vector<std::string>{"a", "d"}));
   EXPECT_EQ(comparison.same, 1U);
   EXPECT_EQ(comparison.count(Change::regression), 0U);
 }
@@ -109,8 +109,9 @@ TEST_F(Compare, OtherCorpusAndMissingFooterAreNoted) {
   std::string other = results_text({line("a", "pass-exact")});
   other.replace(other.find("2026.6.0"), 8, "2026.7.0");
   other.erase(other.find("{\"decision\""));
-  const Comparison comparison = compare_results(
-      scratch_.write("old", results_text({line("a", "pass-exact")})), scratch_.write("new", other));
+  const Comparison comparison =
+      compare_runs({scratch_.write("old", results_text({line("a", "pass-exact")})),
+                    scratch_.write("new", other)});
   ASSERT_EQ(comparison.notes.size(), 2U);
   EXPECT_NE(comparison.notes[0].find("incomplete"), std::string::npos);
   EXPECT_NE(comparison.notes[1].find("corpus"), std::string::npos);

@@ -105,12 +105,11 @@ TEST(Examples, HaveEveryAlarmThatTheCorpusProvokes) {
   std::size_t provoked = 0;
   std::set<Rule> missing;
   Corpus(std::string(GONOGO_SOURCE_DIR) + "/corpus").for_each([&](const Case& test) {
-    if (!expects_alarm(test)) return true;
+    if (!expects_alarm(test)) return;
     if (const auto rule = broken_rule(test)) {
       ++provoked;
       if (!shown.contains(*rule)) missing.insert(*rule);
     }
-    return true;
   });
   EXPECT_GT(provoked, 5000U);
   for (const auto& [clause, alarm] : missing) {

@@ -37,6 +37,15 @@ Record rapid_x(const Number& x) {
   return record;
 }
 
+Path sample_path(const Position& start, const std::vector<Record>& records,
+                 std::size_t max_segments = kMaxSegments) {
+  PathSampler sampler(start, max_segments);
+  for (const Record& record : records) {
+    if (!sampler.add(record)) break;
+  }
+  return sampler.take();
+}
+
 // A quarter of 128 steps: 32. Half of it stands at 45 degrees: (10 / sqrt 2, 10 / sqrt 2).
 TEST(SampleArc, quarter_counterclockwise_passes_45_degrees) {
   const auto points = arc({10, 0, 0}, {0, 10, 0}, {Plane::g17, {0, 0}, 1});

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "oracle/records/text.hpp"
+
 namespace gonogo::oracle::report {
 namespace {
 
@@ -34,17 +36,17 @@ TEST(Shortened, counts_characters_not_bytes) {
 }
 
 // RFC 4648 section 10.
-TEST(FromBase64, reads_the_vectors_of_the_rfc) {
-  EXPECT_EQ(from_base64(""), "");
-  EXPECT_EQ(from_base64("Zg=="), "f");
-  EXPECT_EQ(from_base64("Zm8="), "fo");
-  EXPECT_EQ(from_base64("Zm9vYmFy"), "foobar");
+TEST(DecodeBase64, reads_the_vectors_of_the_rfc) {
+  EXPECT_EQ(decode_base64(""), "");
+  EXPECT_EQ(decode_base64("Zg=="), "f");
+  EXPECT_EQ(decode_base64("Zm8="), "fo");
+  EXPECT_EQ(decode_base64("Zm9vYmFy"), "foobar");
 }
 
-TEST(FromBase64, refuses_what_is_not_base64) {
-  EXPECT_FALSE(from_base64("Zg="));
-  EXPECT_FALSE(from_base64("Z*=="));
-  EXPECT_FALSE(from_base64("===="));
+TEST(DecodeBase64, refuses_what_is_not_base64) {
+  EXPECT_FALSE(decode_base64("Zg="));
+  EXPECT_FALSE(decode_base64("Z*=="));
+  EXPECT_FALSE(decode_base64("===="));
 }
 
 // "foob" is 66 6f 6f 62.

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "publish/report/figure_spread.hpp"
+#include "publish/report/figure_parts.hpp"
 #include "tests/publish/report/report_testing.hpp"
 
 namespace gonogo::oracle::report {

@@ -31,7 +31,7 @@ class HtmlReport : public testing::Test {
   std::string page(const std::string& results) { return page_of(kData / results); }
   std::string page_of(const std::filesystem::path& results) {
     const auto error = write_html_report(results, directory_ / "out");
-    EXPECT_FALSE(error) << error->message;
+    EXPECT_FALSE(error) << *error;
     std::ifstream in(directory_ / "out" / "index.html");
     std::stringstream text;
     text << in.rdbuf();

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string>
 
+#include "oracle/records/text.hpp"
 #include "publish/report/escape.hpp"
 #include "publish/report/path.hpp"
 
@@ -30,7 +31,7 @@ inline std::size_t occurrences(const std::string& text, const std::string& part)
 
 // What packed() packed.
 inline std::string unpacked(const std::string& text) {
-  std::string bytes = from_base64(text).value();
+  std::string bytes = decode_base64(text).value();
   std::string out(1 << 24, '\0');
   z_stream stream{};
   inflateInit2(&stream, -15);

@@ -13,7 +13,7 @@
 
 #include "campaign/results_reader.hpp"
 #include "publish/report/escape.hpp"
-#include "publish/site/stem.hpp"
+#include "publish/site/run.hpp"
 #include "tests/publish/evidence/results_files.hpp"
 
 namespace gonogo::oracle::site {
@@ -153,9 +153,9 @@ TEST_F(Site, StepTellsWhatIsLostMendedAndMoved) {
              {});
   ASSERT_EQ(all.steps.size(), 1U);
   const Step& step = all.steps[0];
-  EXPECT_EQ(step.first_lost, (std::vector<std::string>{"a", "f"}));  // J-RUN-16
-  EXPECT_EQ(step.first_mended, std::vector<std::string>{"b"});
-  EXPECT_EQ(step.first_moved, std::vector<std::string>{"c"});
+  EXPECT_EQ(step.lost.first, (std::vector<std::string>{"a", "f"}));  // J-RUN-16
+  EXPECT_EQ(step.mended.first, std::vector<std::string>{"b"});
+  EXPECT_EQ(step.moved.first, std::vector<std::string>{"c"});
   EXPECT_EQ(step.compared, 5U);  // e was skipped
 }
 

@@ -121,6 +121,32 @@ TEST(Arc, ASmallRadiusIsAskedOfWhereTheParameterAllowsIt) {
   EXPECT_EQ(touched_readings("G17 G2 Y20 R10 F100"), Lines{});
 }
 
+TEST(Arc, RWithTheEndAtTheStartMovesNothingInThePlaneUnderItsReading) {
+  const Profile none = profile_with({{"gsk.arc.closed", "none"}});
+  EXPECT_EQ(lines("G17 G0 X20 Y0\nG3 X20 Y0 R10 F100\nG0 Y5", none),
+            (Lines{"rapid x10 y0", "rapid y5"}));
+  EXPECT_EQ(lines("G17 G0 X20 Y0\nG3 R10 Z-2 F100", none),
+            (Lines{"rapid x10 y0", "feed z-2 f100"}));
+  EXPECT_EQ(ending("G17 G3 X0 Y0 R10", none), "alarm b1 feed-missing");
+  EXPECT_EQ(touched_readings("G17 G3 X0 Y0 R10 F100"), Lines{"gsk.arc.closed"});
+}
+
+// Parameters 3403#4 and 3403#5: 0 runs, 1 alarms.
+TEST(Arc, TheParametersOfTheMachineDecideOverTheReadings) {
+  const std::string small = "G17 G0 X0 Y0\nG2 Y20.02 R10 F100";
+  const std::string bare = "G17 G0 X20 Y0\nG3 X0 Y10 F100";
+  Profile runs = profile_with({{"gsk.arc.small-radius", "alarm"}, {"gsk.arc.no-centre", "alarm"}});
+  runs.parameters["3403.4"] = runs.parameters["3403.5"] = num("0");
+  EXPECT_EQ(lines(small, runs).back(), "arc x0 y20.02 c0,10.01 rot-1 f100");
+  EXPECT_EQ(lines(bare, runs).back(), "feed x0 y10 f100");
+  EXPECT_EQ(ending("G17 G0 X0 Y0\nG2 Y20.021 R10 F100", runs), "alarm b2 arc-radius");
+  Profile alarms =
+      profile_with({{"gsk.arc.small-radius", "semicircle"}, {"gsk.arc.no-centre", "line"}});
+  alarms.parameters["3403.4"] = alarms.parameters["3403.5"] = num("1");
+  EXPECT_EQ(ending(small, alarms), "alarm b2 arc-radius");
+  EXPECT_EQ(ending(bare, alarms), "alarm b2 missing-word");
+}
+
 TEST(Arc, RWithTheEndAtTheStartIsRefused) {
   EXPECT_EQ(ending("G17 G0 X20 Y0\nG3 X20 Y0 R10 F100"), "alarm b2 arc-end-point");
   EXPECT_EQ(ending("G17 G0 X20 Y0\nG3 R10 F100"), "alarm b2 arc-end-point");

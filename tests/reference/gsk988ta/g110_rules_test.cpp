@@ -120,6 +120,25 @@ TEST(G110Rules, ReadingMissingAxisPositionMovesThePlaneAxes) {
   EXPECT_TRUE(lines(entry + "Y-5", position).empty());
 }
 
+// The tool stands at the origin, and R leads from there.
+TEST(G110Rules, ReadingMissingAxisCurrentMillsWhereTheToolStands) {
+  const std::string entry = "G110 I16 L3 Q5 D4 F800\n";
+  const Profile current = profile_with({{"gsk.missing-axis", "current"}});
+  const auto milled = [&](const char* words) {
+    return lines(entry + words, current, OpenPaths::judged);
+  };
+  EXPECT_EQ(milled("X50 Y-5"),
+            (Lines{"rapid x25", "rapid y0", "feed y-5 f800", "level d-5 c0,25 R16 r4 L3 -1 f800",
+                   "rapid y0", "rapid x25 z0", "rapid y0"}));
+  EXPECT_EQ(milled("Y-7 R-2"),
+            (Lines{"rapid y-2", "feed y-7 f800", "level d-7 c0,0 R16 r4 L3 -1 f800", "rapid y-2",
+                   "rapid x0 z0", "rapid y0"}));
+  for (const char* words : {"X50 Z50", "X50", "R-5", "C90"}) {
+    EXPECT_TRUE(milled(words).empty()) << words;
+  }
+  EXPECT_EQ(ending("G110 I16 L3 Q5 D4\nY-5", current), "alarm b2 feed-missing");
+}
+
 TEST(G110Rules, Clause14TheAxisWordsAreNotRetained) {
   EXPECT_EQ(lines("G110 X50 Z50 Y-5 I16 L3 Q5 D4 F800\nX60 Z60\nQ2", {}, OpenPaths::judged).size(),
             7U);

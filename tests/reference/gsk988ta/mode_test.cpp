@@ -79,6 +79,18 @@ TEST(Mode, Mod05APlaneCodeOfItsOwnBlockDoesSo) {
             judged("G0 Y50 Z20\n" + kEntry + "G17 X0 Y0 W-5"));
 }
 
+// The plane in force has no new depth axis: the tool is at the R plane, and R counts from where the
+// mode was entered.
+TEST(Mode, Mod05ThePlaneWrittenAgainLeavesTheInitialPlane) {
+  const Profile stays = profile_with({{"gsk.pocket.end", "r-plane"}});
+  for (const char* between : {"\nG18 ", "\nG18\n"}) {
+    const Lines two = judged(
+        "G110 I16 L3 Q50 D4 F800 X0 Z0 V-5 R-5" + std::string(between) + "X0 Z0 V-5 R-7", stays);
+    ASSERT_EQ(two.size(), 12U);
+    EXPECT_EQ(two[7], "rapid y-7") << between;
+  }
+}
+
 TEST(Mode, Clause15EveryCodeOfGroup01EndsTheMode) {
   for (const char* code : {"G0", "G1", "G94", "G00", "G01"}) {
     // Entered anew: all four are missing.
@@ -139,16 +151,17 @@ TEST(Mode, Mod06WhatG80LeavesIsAskedWhereSomethingElseWasInForce) {
   EXPECT_EQ(touched_readings("G1 Z-5 F100\nG80 G0 Z-10"), Lines{});
 }
 
-// GSK-MOD-06, GSK-MOD-09: they are of one group, or exclude each other.
+// GSK-MOD-06, GSK-MOD-09, J-ALM-04: they are of one group, or exclude each other.
 TEST(Mode, Mod06G80BesideAMillingCycleAdmitsTwoClasses) {
-  for (const char* program : {"G80 G112 X1 Y1 W-2 I6 D4 F100", "G112 G80 X1 Y1 W-2 I6 D4 F100"}) {
+  for (const char* program : {"G80 G112 X1 Y1 W-2 I6 D4 F100", "G112 G80 X1 Y1 W-2 I6 D4 F100",
+                              "G110 G112 X1 Y1 W-2 I6 L4 Q2 D4 F100"}) {
     const std::vector<Item> items = expand(program);
     const auto& report = std::get<AlarmReport>(items.back());
     EXPECT_TRUE(admits(report, "duplicate-word")) << program;
     EXPECT_TRUE(admits(report, "conflicting-words")) << program;
     EXPECT_FALSE(admits(report, "missing-word")) << program;
   }
-  const std::vector<Item> items = expand("G110 G112 X1 Y1 W-2 I6 D4 F100");
+  const std::vector<Item> items = expand("G112 X1 X1 Y1 W-2 I6 D4 F100");
   EXPECT_FALSE(admits(std::get<AlarmReport>(items.back()), "conflicting-words"));
 }
 
@@ -170,6 +183,17 @@ TEST(Mode, Mod07RetainedWordsOfThePocketAreLengths) {
   // I1 L0.1 Q1 D0.25 in inches; then G21 with a pocket in millimetres, 5 deep.
   EXPECT_EQ(judged("G20 G110 I1 L0.1 Q1 D0.25 F10\nG21 X0 Z0 V-5")[3],
             "level d-5 c0,0 R25.4 r6.35 L2.54 -1 f254");
+}
+
+// I1 L0.1 D0.25 are millimetres now.
+TEST(Mode, Mod07RetainedWordsOfThePocketAreNumbersUnderTheirReading) {
+  const Profile number = profile_with({{"gsk.pocket.retained", "number"}});
+  const std::string entry = "G20 G110 I1 L0.1 Q1 D0.25 F10\nG21 X0 Z0 V-5";
+  EXPECT_EQ(judged(entry + " Q5", number)[3], "level d-5 c0,0 R1 r0.25 L0.1 -1 f254");
+  EXPECT_EQ(judged(entry + " I20 Q5", number)[3], "level d-5 c0,0 R20 r0.25 L0.1 -1 f254");
+  const Lines asked = {"gsk.pocket.retained", "gsk.feed-units"};
+  EXPECT_EQ(touched_readings("G20 G112 I1 D0.25 F10\nG21"), asked);
+  EXPECT_EQ(touched_readings("G20 G112 I1 D0.25 F10\nG21 G00"), Lines{"gsk.feed-units"});
 }
 
 TEST(Mode, Mod07RetainedWordsOfG94AreLengths) {

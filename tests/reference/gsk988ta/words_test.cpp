@@ -126,6 +126,18 @@ TEST(Words, Com07Parameter3403Bit6DecidesOverTheReading) {
   EXPECT_EQ(ending("X1 X2", alarm), "alarm b1 duplicate-word");
 }
 
+TEST(Words, Com15Parameter3404Bit6WantsAWordThatEndsTheProgram) {
+  Profile wants;
+  wants.parameters["3404.6"] = num("0");
+  EXPECT_EQ(ending("G0 X2\nX4", wants), "alarm b2 program-end");
+  EXPECT_EQ(lines("G0 X2\nX4", wants), (Lines{"rapid x1", "rapid x2", "alarm b2 program-end"}));
+  for (const char* end : {"M30", "M2", "%"}) {
+    EXPECT_EQ(ending("G0 X2\n" + std::string(end), wants), "end x1 y0 z0 a0 c0") << end;
+  }
+  wants.parameters["3404.6"] = num("1");
+  EXPECT_EQ(ending("G0 X2", wants), "end x1 y0 z0 a0 c0");
+}
+
 // M3 before the motion, M9 behind it. A fourth is one too many.
 TEST(Words, Com11UpToThreeMFunctionsMayStandInABlock) {
   const Profile three = profile_with({{"gsk.m-functions", "three"}});

@@ -68,6 +68,32 @@ TEST(HncArc, ARadiusOfZeroIsAnAlarmOrNoMotion) {
   EXPECT_EQ(ending_of("G02 X0 Z0.005 I0 K0 F100"), "alarm b1 arc-radius");
 }
 
+TEST(HncArc, RWithTheEndAtTheStartIsAnAlarmOrNoMotion) {
+  const Profile none = hnc({{"hnc.arc.closed", "none"}});
+  const std::string closed = "G00 X20 Z5\nG02 X20 Z5 R5 F100\nG00 Z0";
+  EXPECT_EQ(ending_of(closed), "alarm b2 arc-end-point");
+  EXPECT_EQ(path(closed, none), (Lines{"rapid x10 z5", "rapid z0"}));
+  EXPECT_EQ(touched(closed), Lines{"hnc.arc.closed"});
+  EXPECT_EQ(ending_of("G02 X0 Z0 R5", none), "alarm b1 feed-missing");
+}
+
+// The chord is 20.02 and 20.021: half of it is 0.01 and more than R.
+TEST(HncArc, ARThatIsALittleTooSmallIsASemicircleUnderItsReading) {
+  const Profile half = hnc({{"hnc.arc.small-radius", "semicircle"}});
+  EXPECT_EQ(path("G02 X0 Z20.02 R10 F100", half), Lines{"arc x0 z20.02 c10.01,0 rot-1 f100"});
+  EXPECT_EQ(path("G03 X0 Z20.02 R-10 F100", half), Lines{"arc x0 z20.02 c10.01,0 rot1 f100"});
+  EXPECT_EQ(ending_of("G02 X0 Z20.02 R10 F100"), "alarm b1 arc-radius");
+  EXPECT_EQ(ending_of("G02 X0 Z20.021 R10 F100", half), "alarm b1 arc-radius");
+  Profile wide = half;
+  wide.parameters["3410"] = 1;
+  EXPECT_EQ(ending_of("G02 X0 Z22 R10 F100", wide), "end x0 y0 z22 a0 c0");
+  wide.parameters["3410"] = -1;
+  EXPECT_EQ(ending_of("G02 X0 Z20.02 R10 F100", wide), "alarm b1 arc-radius");
+  EXPECT_EQ(touched("G02 X0 Z20.02 R10 F100"), Lines{"hnc.arc.small-radius"});
+  EXPECT_EQ(touched("G02 X0 Z20.021 R10 F100"), Lines{});
+  EXPECT_EQ(touched("G02 X0 Z20 R10 F100"), Lines{});
+}
+
 TEST(HncArc, MovesNothingWithoutWords) {
   EXPECT_EQ(path("G02\nG03"), Lines{});
 }

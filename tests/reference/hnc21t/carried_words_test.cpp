@@ -86,6 +86,21 @@ TEST(CarriedWords, OtherUnitsLeaveTheFeedOrItsNumber) {
   EXPECT_EQ(path("G20 F4\nG21 G01 X40 F5", number), Lines{"feed x20 f5"});
 }
 
+// 0.1 inch are 2.54 mm. The taper I ends 10 mm from the axis; the count of G75 is no length.
+TEST(CarriedWords, OtherUnitsLeaveTheLengthsOfACycleOrTheirNumbers) {
+  const Profile number = hnc({{"hnc.retained", "number"}});
+  const std::string taper = "G20 G80 X1 Z-1 I-0.1 F4\nG21 X20 Z-10";
+  EXPECT_EQ(path(taper).at(4), "rapid x7.46");
+  EXPECT_EQ(path(taper, number).at(4), "rapid x9.9");
+  EXPECT_EQ(path(taper + " I-3", number).at(4), "rapid x7");
+  EXPECT_EQ(path("G74 Z-10 R1 Q6 F50\nG20 Z-10", number).at(4), "feed z-152.4 f50");
+  EXPECT_EQ(path("G82 X20 Z-10 R-1 E1 F2\nG20 X1 Z-1", number).at(7),
+            "thread x38.1 z-50.8 lead2 start0");
+  EXPECT_EQ(path("G75 X-20 Z-2 I2 F50\nG20 X-1 Z-1", number),
+            path("G75 X-20 Z-2 I2 F50\nG20 X-1 Z-1"));
+  EXPECT_EQ(touched("G80 X20 Z-10 I-1 F50\nG20 G00 X1"), (Lines{"hnc.retained", "hnc.feed-units"}));
+}
+
 TEST(CarriedWords, AnotherKindOfFeedLeavesItsNumberOrTakesItAway) {
   const Profile deleted = hnc({{"hnc.feed-change", "deleted"}});
   const std::string moved = "end x10 y0 z0 a0 c0";

@@ -76,6 +76,50 @@ TEST(Command, TheLeadOfG32StaysInForceBehindOtherCodesUnderItsReading) {
   EXPECT_EQ(touched("G32 Z-10"), Lines{});
 }
 
+// HNC-MOD-04: the feed behind a thread is its F, and G32 has the feed for its lead.
+TEST(Command, FIsOneWordForFeedsAndLeadsUnderThatReading) {
+  const Profile one = hnc({{"hnc.g32.lead", "feed"}});
+  for (const char* thread : {"G32 Z-10 F2", "G82 X20 Z-10 F2"}) {
+    const std::string program = std::string("F70\n") + thread + "\nG01 X50";
+    EXPECT_EQ(path(program).back(), "feed x25 f70") << thread;
+    EXPECT_EQ(path(program, one).back(), "feed x25 f2") << thread;
+    EXPECT_EQ(path(program + " F80", one).back(), "feed x25 f80") << thread;
+  }
+  EXPECT_EQ(touched("F70\nG32 Z-10 F2\nG01 X50"), Lines{"hnc.g32.lead"});
+  EXPECT_EQ(touched("F70\nG32 Z-10 F2\nG01 X50 F80"), Lines{});
+  EXPECT_EQ(touched("F2\nG32 Z-10 F2\nG01 X50"), Lines{});
+  EXPECT_EQ(path("G32 Z-10 F2\nG80 X20 Z-10", one).at(2), "feed x10 z-10 f2");
+  EXPECT_EQ(path("G01 Z-10 F80\nG32 Z-20\nZ-30", one).back(), "thread z-30 lead80 start0");
+  EXPECT_EQ(path("G80 X20 Z-10 F80\nG32 Z-20", one).back(), "thread z-20 lead80 start0");
+  EXPECT_EQ(path("G32 Z-10 F2\nG01 Z0 F80\nG32 Z-10", one).back(), "thread z-10 lead80 start0");
+  EXPECT_EQ(ending_of("G32 Z-10", one), "alarm b1 lead-missing");
+  EXPECT_EQ(ending_of("F0\nG32 Z-10", one), "alarm b2 lead-missing");
+  // J is another word, and G82 wants a lead of its own.
+  EXPECT_EQ(ending_of("G32 Z-10 J0.1\nG01 X50", one), "alarm b2 feed-missing");
+  EXPECT_EQ(ending_of("F80\nG82 X20 Z-10", one), "alarm b2 lead-missing");
+}
+
+// HNC-MOD-01: F of a cycle is forgotten with it, that of G32 is none of its group.
+TEST(Command, FOfG82IsForgottenWithItThoughFIsOneWord) {
+  const Profile both = hnc({{"hnc.g32.lead", "feed"}, {"hnc.modal.f", "forgotten"}});
+  EXPECT_EQ(path("F70\nG82 X20 Z-10 F2\nG01 X50", both).back(), "feed x25 f70");
+  EXPECT_EQ(path("F70\nG32 Z-10 F2\nG01 X50", both).back(), "feed x25 f2");
+  EXPECT_EQ(path("F70\nG80 X20 Z-10 F80\nG32 Z-20", both).back(), "thread z-20 lead70 start0");
+  EXPECT_EQ(ending_of("G80 X20 Z-10 F80\nG32 Z-20", both), "alarm b2 lead-missing");
+}
+
+// 0.1 inch are 2.54 mm; a lead is the number, or the length.
+TEST(Command, TheOneWordFHasItsUnits) {
+  const Profile one = hnc({{"hnc.g32.lead", "feed"}});
+  const Profile units = hnc({{"hnc.g32.lead", "feed"}, {"hnc.lead.unit", "units"}});
+  const Profile number = hnc({{"hnc.g32.lead", "feed"}, {"hnc.feed-units", "number"}});
+  EXPECT_EQ(path("G20 G32 Z-1 F0.1\nG01 Z0", one).back(), "feed z0 f2.54");
+  EXPECT_EQ(path("G20 F0.1\nG32 Z-1", one).back(), "thread z-25.4 lead0.1 start0");
+  EXPECT_EQ(path("G20 F0.1\nG32 Z-1", units).back(), "thread z-25.4 lead2.54 start0");
+  EXPECT_EQ(path("G20 G32 Z-1 F0.1\nG21 G01 Z0", one).back(), "feed z0 f2.54");
+  EXPECT_EQ(path("G20 G32 Z-1 F0.1\nG21 G01 Z0", number).back(), "feed z0 f0.1");
+}
+
 TEST(Command, TheSameCodeAgainIsNoChange) {
   EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG80 X20 Z-10").at(4), "rapid x5");
 }

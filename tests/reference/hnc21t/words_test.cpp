@@ -45,6 +45,7 @@ TEST(HncWords, CodesThatTheGaugeDoesNotReadEndTheProgram) {
     EXPECT_EQ(path("Z1\n" + code + " X1 X2 F-1 G05\nZ2"),
               (Lines{"rapid z1", "not-covered b2 " + code}));
   }
+  EXPECT_EQ(ending_of("G96 S80\nG46 X400 P900"), "not-covered b2 G46");
   EXPECT_EQ(ending_of("M98 P1234 X1 X2 G05"), "not-covered b1 M98");
   EXPECT_EQ(ending_of("M99"), "not-covered b1 M99");
 }

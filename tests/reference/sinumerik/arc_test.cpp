@@ -86,6 +86,26 @@ TEST(SieArc, AnArcHasOneForm) {
   EXPECT_EQ(clauses("F1\nG2 X10"), Lines{"SIE-ARC-11"});
 }
 
+// From (0, 0) to (10, 0) about (5, -12) it is a radius of 13; of 6 the centre is root 11 off the
+// chord, below it for a short arc clockwise.
+TEST(SieArc, WhetherRadiusOrCentreCountsIsAReading) {
+  const auto arc = [](std::string_view reading, const std::string& block) {
+    return line("F9\n" + block, 0, sie({{"sie.cr.centre", reading}}));
+  };
+  const std::string both = "G2 X10 Y0 I5 J-12 CR=6";
+  EXPECT_EQ(arc("radius", both), arc("alarm", "G2 X10 Y0 CR=6"));
+  EXPECT_EQ(arc("centre", both), "arc x10 y0 c5,-12 rot-1 f9");
+  EXPECT_EQ(arc("centre", "G2 I5 CR=5"), "arc x0 y0 c5,0 rot-1 f9");
+  EXPECT_EQ(outcome(both), "conflicting-words CR");
+  EXPECT_EQ(clauses("F1\n" + both), Lines{"SIE-ARC-16"});
+  for (const std::string_view reading : {"radius", "centre"}) {
+    const Profile profile = sie({{"sie.cr.centre", reading}});
+    EXPECT_EQ(outcome("G2 X10 K5 CR=6", profile), "axis-not-in-plane K") << reading;
+    EXPECT_EQ(outcome("G2 X10 I5 AR=90 CR=6", profile), "conflicting-words CR") << reading;
+    EXPECT_EQ(outcome("G2 AP=9 RP=9 I5 CR=6", profile), "conflicting-words AP") << reading;
+  }
+}
+
 TEST(SieArc, TheCentreIsNotTheStart) {
   EXPECT_EQ(outcome("G2 I0"), "arc-radius I");
   EXPECT_EQ(outcome("G2 X5 I0 J0"), "arc-radius I, arc-end-point I");

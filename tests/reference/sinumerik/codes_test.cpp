@@ -125,5 +125,18 @@ TEST(SieCodes, TheHeadAndCommentsOfALineSayNothing) {
             (Lines{"rapid x1", "rapid x2"}));
 }
 
+// SIE-LEX-04: behind a block another program begins.
+TEST(SieCodes, ALineWithAPercentSignBehindABlockEndsTheProgram) {
+  EXPECT_EQ(path("%\n%_N_A_MPF\nN5\n%\nG0 X1\n%_N_B_SPF\nX2"), Lines{"rapid x1"});
+  EXPECT_EQ(outcome_of_program("G0 X1\n%\nLCYC99"), "end");
+}
+
+// SIE-LEX-01; SIE-LEX-03: that the 802S has them too, is ours.
+TEST(SieCodes, AmpersandsAreBlanks) {
+  for (const Profile& profile : {sie(), s802()}) {
+    EXPECT_EQ(path("G0&X1\n&\nY=&2", profile), (Lines{"rapid x1", "rapid y2"}));
+  }
+}
+
 }  // namespace
 }  // namespace gonogo::reference::testing::sie

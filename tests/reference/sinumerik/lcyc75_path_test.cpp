@@ -51,6 +51,16 @@ TEST(Lcyc75Item, FinishingTakesTheProgrammedPocket) {
   EXPECT_FALSE(pocket("R127=2", s802({{"sie.finish.levels", "split"}})).one_level);
 }
 
+// SIE-LC75-13: the way from R101 down is of the path, which is shown with the one of roughing.
+TEST(Lcyc75Item, OfFinishingTheApproachEndsAtR101) {
+  EXPECT_EQ(judged("R127=2"), (Lines{"rapid x60 y40 z5",
+                                     "milling d2..-8 c60,40 60x40 R8 r5 Q4 -1 depth f120 plane "
+                                     "f300"}));
+  const Lines shown = path(pocket_program("R127=2"), s802());
+  EXPECT_EQ(Lines(shown.begin(), shown.begin() + 3),
+            (Lines{"rapid x60 y40 z5", "rapid z2", "feed z-4 f120"}));
+}
+
 TEST(Lcyc75Item, OnlyAnAllowanceInThePlaneAloneLeavesTheFloorOut) {
   EXPECT_TRUE(pocket("R127=2 R124=0.001 R125=0").contour_only);
   EXPECT_FALSE(pocket("R127=2 R124=0.75 R125=0.5").contour_only);

@@ -200,6 +200,21 @@ TEST(Lcyc75Rules, InInchesTheSentencesHaveTheNumbersOfTheProgram) {
             "The tool, with the allowance 10 wide, does not fit into R118 = 0.25 (6.35 mm).");
 }
 
+// 120 and 300 inches per minute are 3048 and 7620 mm/min, whatever F counts; R121 is 101.6 mm.
+TEST(Lcyc75Rules, UnderG70ItsFeedsMayBeInchesToo) {
+  const auto feeds = [](std::string_view unit) {
+    const Profile profile = s802({{"sie.lcyc.unit", unit}, {"sie.g70.f", "inch"}});
+    const PocketMilling pocket = pockets(pocket_program("R124=0 R125=0", "G70"), profile).at(0);
+    return fmt::format("{} {} {}", pocket.infeed.text(), pocket.depth_feed.text(),
+                       pocket.plane_feed.text());
+  };
+  EXPECT_EQ(feeds("mm"), "4 120 300");
+  EXPECT_EQ(feeds("inch"), "101.6 120 300");
+  EXPECT_EQ(feeds("inch-with-feeds"), "101.6 3048 7620");
+  const Profile metric = s802({{"sie.lcyc.unit", "inch-with-feeds"}});
+  EXPECT_EQ(pockets(pocket_program(), metric).at(0).plane_feed, Number(300));
+}
+
 TEST(Lcyc75Rules, NeedsATurningSpindle) {
   EXPECT_EQ(pocket_outcome("M5"), "spindle-stopped S");
   EXPECT_EQ(pocket_outcome("S0"), "spindle-stopped S");
@@ -243,6 +258,10 @@ TEST(Lcyc75Rules, TheFeedBehindItIsAskedForByACutThatHasNone) {
   EXPECT_FALSE(touches("G0 X1"));
   EXPECT_FALSE(touches("G1 X1 F50\nX2"));
   EXPECT_FALSE(touches("LCYC75"));
+  // F200 is what R123 is; in inches and behind G95 they part again.
+  EXPECT_FALSE(touches("R123=200\nLCYC75\nG1 X1\nG2 I5"));
+  EXPECT_TRUE(touches("R123=200\nLCYC75\nG1 X1\nG70 X2"));
+  EXPECT_TRUE(touches("R123=200\nLCYC75\nG1 X1\nR123=300\nLCYC75\nX2"));
 }
 
 TEST(Lcyc75Rules, AllBrokenRulesAreReportedInTheOrderOfTheirParameters) {
@@ -256,7 +275,7 @@ TEST(Lcyc75Rules, AllBrokenRulesAreReportedInTheOrderOfTheirParameters) {
 }
 
 // SIE-MOD-09: the spindle of the program turns; a control that refuses it behind these may.
-TEST(Lcyc75Rules, ASpindleThatWasBroughtToAPlaceMayBeRefused) {
+TEST(Lcyc75Rules, ASpindleThatWasBroughtToAPlaceOrGotAToolMayBeRefused) {
   const auto accepts = [](std::string_view changes) {
     const Profile profile = s802();
     const std::string program = pocket_program(changes);
@@ -272,11 +291,25 @@ TEST(Lcyc75Rules, ASpindleThatWasBroughtToAPlaceMayBeRefused) {
     return found;
   };
   EXPECT_EQ(accepts(""), 0U);
-  for (const char* placed : {"SPOS=0", "SPOSA=90", "M19", "M70"}) {
+  for (const char* placed : {"SPOS=0", "SPOSA=90", "M19", "M70", "M6"}) {
     EXPECT_EQ(accepts(placed), 1U) << placed;
     EXPECT_EQ(accepts(std::string(placed) + "\nM3"), 0U) << placed;
     EXPECT_EQ(pocket_outcome(placed), "end");
     EXPECT_EQ(pocket_outcome(std::string("M5\n") + placed), "spindle-stopped S");
+  }
+}
+
+// Where T changes the tool, T1 is in force behind the second line; where M6 does, T4 is. Their
+// radii are 10 and 5.
+TEST(Lcyc75Rules, WhetherTOrM6ChangesTheToolIsNotCovered) {
+  const auto behind = [](std::string_view blocks) { return pocket_outcome(blocks); };
+  EXPECT_EQ(behind("T4 M6\nT1\nM3"), "not-covered T");
+  EXPECT_EQ(behind("M6\nT0\nM3"), "not-covered T");
+  EXPECT_EQ(behind("T4 M6\nT1\nM3\nR121=0"), "not-covered T");
+  // Without an M6 the maker's examples have T change it.
+  for (const char* known : {"T1", "T1\nM6\nM3", "M6 T4\nM3", "T4 M6\nT1\nM6\nM3", "T4 M6\nT4\nM3",
+                            "T4 M6\nT1\nT4\nM3"}) {
+    EXPECT_EQ(behind(known), "end") << known;
   }
 }
 

@@ -99,9 +99,22 @@ TEST(SiePolar, TheReadingOfAPlaneInForceIsAskedWhereItShows) {
   for (const char* program :
        {"G111 X5\nG17\nG0 X1", "G111 X5\nG17\nG111 X1\nG0 RP=10 AP=90",
         "G111 X5\nG18\nG17\nG0 RP=10 AP=90", "G17\nG0 RP=10 AP=90",
-        "G0 RP=10 AP=0\nG17\nRP=9 AP=90", "G0 RP=10 AP=0\nG17\nG112 X1\nG0 RP=9 AP=90"}) {
+        "G0 RP=10 AP=0\nG17\nRP=9 AP=90", "G0 RP=10 AP=0\nG17\nG112 X1\nG0 RP=9 AP=90",
+        "G0 RP=10 AP=0\nG17\nG91 RP=9 AP=90"}) {
     EXPECT_EQ(touched(program), Lines{}) << program;
   }
+}
+
+// Under G91 the angle of before shows where AP counts from it: 30 + 60 in place of 60.
+TEST(SiePolar, UnderG91ThePlaneInForceShowsWhereAnglesAdd) {
+  const std::string program = "G0 RP=10 AP=30\nG17\nG91 RP=10 AP=60";
+  EXPECT_EQ(touched(program), Lines{"sie.ap.g91"});
+  const auto last = [&](std::string_view angle, std::string_view pole) {
+    return path(program, sie({{"sie.ap.g91", angle}, {"sie.pole.same-plane", pole}})).back();
+  };
+  EXPECT_EQ(last("incremental", "kept"), "rapid x0 y10");
+  EXPECT_EQ(last("absolute", "kept"), last("absolute", "reset"));
+  EXPECT_EQ(last("incremental", "reset"), last("absolute", "reset"));
 }
 
 TEST(SiePolar, AnglesAreAbsoluteAndIcAddsToThem) {
