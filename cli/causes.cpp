@@ -145,7 +145,7 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
     const Programs programs = programs_of(findings, corpus, campaign);
     for (const oracle::Finding* finding : findings) naming.take(*finding, programs);
   } catch (const std::exception&) {
-    // The run has its answer; what it comes from is a courtesy.
+    return naming.causes();  // the run has its answer; what it comes from is a courtesy
   }
   return naming.causes();
 }

@@ -42,7 +42,7 @@ void ProgramJudge::name_line(Verdict& verdict, std::size_t number) const {
 }
 
 void ProgramJudge::decide_departure() {
-  if (alignment_.gap()) return decide(*alignment_.gap());
+  if (alignment_.gap()) return decide(alignment_.gap());
   Refutation& refutation = alignment_.refutation();
   const ReferenceSteps::Step& due = reference_.at(refutation.from.step);
   departed_at_ = due.item;
@@ -59,7 +59,7 @@ void ProgramJudge::decide_departure() {
     known->clause = refutation.from.curve->motion().record.clause;
     known->record = refutation.motion->number;
   }
-  decide(*std::move(known));
+  decide(std::move(known));
   if (verdict_->kind != VerdictKind::fail_geometry) return;
   surplus_ = surplus_of(refutation, reference_, tolerances_);
   other_order_ = std::move(refutation.other_order);
